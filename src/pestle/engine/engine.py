@@ -1,0 +1,333 @@
+"""State of a simulation as arrays, and what is done to it between compiled runs."""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from pestle.engine import contacts as ct
+from pestle.engine import neighbours as nb
+from pestle.engine import step as st
+from pestle.engine import walls as wl
+from pestle.engine.screening import triples
+from pestle.laws._base import Geometry, Nothing, Pair, Parts, Solid, parts_of
+
+Array = npt.NDArray[Any]
+
+# arrays that make up a checkpoint: everything that the next step depends on
+SAVED = (
+    "pos vel mat ids field ref first pa pb hist flag weight dist wfirst wp ww whist wflag "
+    "wall move total program lengths box clock sums report wref"
+).split()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PairRule:
+    """What the engine itself needs of a pair of materials."""
+
+    sliding_friction: float = 0.0
+    rolling_friction: float = 0.0
+    damping: float = 0.0  # factor on sqrt(m* k), twice the damping ratio [-]
+    work_of_adhesion: float = 0.0  # [J/m^2]
+
+
+@dataclass(kw_only=True)
+class Engine:
+    """Particles, contacts and walls of one simulation.
+
+    Parameters
+    ----------
+    law : law object
+        Contact law with its options.
+    solids : list of Solid
+        Materials of particles and walls; walls may be rigid.
+    rules : dict
+        `PairRule` of each pair of indices (i, j), i <= j.
+    particle_solids : int
+        The first so many solids are those of particles.
+    """
+
+    law: Any
+    solids: list[Solid]
+    rules: dict[tuple[int, int], PairRule]
+    particle_solids: int = 1
+    gravity: Array = field(default_factory=lambda: np.zeros(3))
+    rolling: bool = False
+    safety: float = 0.2
+    skin: float = 0.0
+    rebuilds: int = 0
+    since_rebuild: int = 0
+    lost_contacts: int = 0
+
+    def __post_init__(self) -> None:
+        """Prepare the table of pairs and empty arrays."""
+        self.parts: Parts = parts_of(self.law)
+        self.layout = ct.Layout(self.parts, self.rolling)
+        self.table = self._pair_table()
+        self.constants = np.zeros((len(self.solids), 2))
+        if self.parts.particle is not Nothing:
+            for m in range(self.particle_solids):
+                self.constants[m] = self.law.particle_constants(self.solids[m])
+        self.box = np.zeros((4, 3))
+        self.clock, self.sums = np.zeros(st.CLOCK), np.zeros(st.SUMS)
+        self.clock[st.SAFETY], self.clock[st.AUTO] = self.safety, 1.0
+        self.clock[st.SCALE] = 1.8
+        self.report = np.zeros(2, np.int64)
+        self.condition = np.zeros((0, 3))
+        self.set_walls([], [])
+
+    # ------------------------------------------------------------------ set-up
+
+    def _pair_table(self) -> Array:
+        count = len(self.solids)
+        size = len(self.parts.constants._fields)  # type: ignore[attr-defined]
+        table = np.zeros((count * count, ct.PAIR + size))
+        for a in range(self.particle_solids):
+            for b in range(count):
+                one, two = self.solids[a], self.solids[b]
+                rule = self.rules.get((min(a, b), max(a, b)), PairRule())
+                rigid = two.youngs_modulus == float("inf")
+                pair = Pair(
+                    first=one,
+                    second=two,
+                    work_of_adhesion=rule.work_of_adhesion,
+                    wall=b >= self.particle_solids,
+                )
+                shear = pair.shear_modulus if not rigid else 1.0 / (
+                    (2.0 - one.poisson_ratio) / one.shear_modulus
+                )
+                table[a * count + b] = (
+                    rule.sliding_friction,
+                    rule.rolling_friction,
+                    rule.damping,
+                    8.0 * shear,
+                    *self.law.constants(pair),
+                )
+        return table
+
+    def set_particles(self, position: Array, radius: Array, mat: Array, density: Array) -> None:
+        """Place particles: positions (N, 3) [m], radii [m], solids, densities [kg/m^3]."""
+        n = len(radius)
+        self.pos = np.column_stack([position, radius]).astype(float)
+        mass = 4.0 / 3.0 * np.pi * radius**3 * density
+        self.vel = np.zeros((n, 8))
+        self.vel[:, 3], self.vel[:, 7] = mass, 0.4 * mass * radius**2
+        self.mat = np.asarray(mat, np.int64)
+        self.ids = np.arange(1, n + 1, dtype=np.int64)
+        self.field = np.zeros((n, max(self.layout.fields, 1)))
+        if self.parts.particle is not Nothing:
+            for i in range(n):
+                self.field[i] = self.law.particle(float(radius[i]))
+        self.ref = self.pos.copy()
+        self.first = np.zeros(n + 1, np.int64)
+        self.pa = self.pb = np.empty(0, np.int32)
+        self.hist, self.flag = np.empty((0, self.layout.history)), np.empty(0, np.uint8)
+        self.weight = self.dist = np.empty(0)
+        self.wfirst = np.zeros(n + 1, np.int64)
+        self.wp = self.ww = np.empty(0, np.int32)
+        self.whist, self.wflag = self.hist.copy(), self.flag.copy()
+        self.skin = self.skin or 0.2 * float(np.mean(radius))
+        self.clock[st.DT_MAX] = self.clock[st.DT_MAX] or self.longest_step()
+        self.clock[st.DT] = self.clock[st.DT] or self.clock[st.DT_MAX]
+        self.rebuild()
+
+    def longest_step(self) -> float:
+        """Step for the softest touch worth resolving: an overlap of 1 % of R [s]."""
+        best = np.inf
+        for m in range(self.particle_solids):
+            mine = self.mat == m
+            if mine.any():
+                pair = Pair(first=self.solids[m], second=self.solids[m])
+                r = self.pos[mine, 3]
+                stiffness = 2.0 * pair.modulus * 0.1 * r
+                best = min(best, float(np.min(np.sqrt(self.vel[mine, 3] / stiffness))))
+        return self.safety * best
+
+    def set_walls(self, wall: list[Any], drive: list[Any]) -> None:
+        """Set all walls: rows of the `wall` and `move` arrays of `engine.walls`."""
+        self.wall = np.array(wall, float).reshape(len(wall), wl.WALL)
+        self.move = np.array(drive, float).reshape(len(drive), wl.MOVE)
+        self.total = np.zeros((len(wall), wl.TOTALS))
+        self.program = np.zeros((len(wall), 2, 2))
+        self.lengths = np.zeros(len(wall), np.int64)
+        self.wref = self.move[:, wl.DISPLACEMENT].copy()
+
+    def set_program(self, w: int, times: Array, speeds: Array) -> None:
+        """Let a wall follow a piecewise linear velocity from now on [s], [m/s]."""
+        longest = max(len(times), self.program.shape[1])
+        grown = np.zeros((len(self.wall), longest, 2))
+        grown[:, : self.program.shape[1]] = self.program
+        grown[w, : len(times), 0], grown[w, : len(times), 1] = times, speeds
+        self.program = grown
+        self.lengths[w] = len(times)
+        self.move[w, wl.MODE], self.move[w, wl.START] = wl.PROGRAM, self.clock[st.TIME]
+
+    def hold_force(self, w: int, force: float, top_speed: float, relax: float) -> None:
+        """Let a wall seek a force along its drive axis [N], at most so fast [m/s]."""
+        self.move[w, wl.MODE] = wl.SERVO
+        self.move[w, wl.TARGET : wl.RELAX + 1] = force, top_speed, relax
+
+    def stop_wall(self, w: int) -> None:
+        """Let a wall stand still."""
+        self.move[w, wl.MODE] = wl.FIXED
+
+    # ------------------------------------------------------------------ lists
+
+    def cut(self) -> float:
+        """Farthest reach of any pair beyond touch [m]."""
+        big = float(self.pos[:, 3].max()) if len(self.pos) else 0.0
+        most = 0.0
+        for row in self.table[:, ct.PAIR :]:
+            if row.any():
+                k = self.parts.constants(*row)
+                most = max(most, self.parts.reach(k, Geometry(0.0, big / 2, big, big, 1.0, 0.0)))
+        return most
+
+    def rebuild(self) -> None:
+        """Sort the particles, list all pairs within reach and skin, carry histories."""
+        if self.rebuilds:
+            if self.since_rebuild > 400:
+                self.skin *= 0.85
+            elif self.since_rebuild < 40:
+                self.skin *= 1.3
+            mean = float(np.mean(self.pos[:, 3]))
+            self.skin = min(max(self.skin, 0.02 * mean), 0.8 * mean)
+        images = self.box[1] > 0.0
+        lengths, origin = self.box[0], self.box[3]
+        for c in np.flatnonzero(images):
+            x = self.pos[:, c] - origin[c]
+            self.pos[:, c] = origin[c] + x - lengths[c] * np.floor(x / lengths[c])
+        reach = self.skin + self.cut()
+        cell, low, count = self._grid(2.0 * float(self.pos[:, 3].max()) + reach, images)
+        order, start = nb.cell_order(self.pos, low, cell, count)
+        for name in ("pos", "vel", "mat", "ids", "field"):
+            setattr(self, name, np.ascontiguousarray(getattr(self, name)[order]))
+        wrap = images & (count >= 3)
+        old = self.first, self.pa, self.pb, self.hist, self.flag, self.weight
+        old_walls = self.wfirst, self.ww, self.whist, self.wflag
+        self.first, self.pa, self.pb = nb.pair_list(
+            self.pos, self.ids, low, cell, count, start, wrap, images, lengths, reach
+        )
+        pairs = len(self.pa)
+        self.hist = np.zeros((pairs, self.layout.history))
+        self.flag = np.zeros(pairs, np.uint8)
+        self.weight, self.dist = np.ones(pairs), np.full(pairs, -1.0)
+        self.lost_contacts += nb.carry_pairs(
+            order, *old, self.first, self.pa, self.pb, self.hist, self.flag, self.weight
+        )
+        self.wfirst = np.empty(len(self.pos) + 1, np.int64)
+        none = np.empty(0, np.int32)
+        total = nb.wall_list(self.pos, self.wall, reach, none, none, self.wfirst)
+        self.wp, self.ww = np.empty(total, np.int32), np.empty(total, np.int32)
+        nb.wall_list(self.pos, self.wall, reach, self.wp, self.ww, self.wfirst)
+        self.whist = np.zeros((total, self.layout.history))
+        self.wflag = np.zeros(total, np.uint8)
+        nb.carry_walls(
+            order, *old_walls, self.wfirst, self.ww, self.whist, self.wflag
+        )
+        self.ref = self.pos.copy()
+        self.wref = self.move[:, wl.DISPLACEMENT].copy()
+        self.rebuilds += 1
+        self.since_rebuild = 0
+        self.divide()
+
+    def _grid(self, size: float, images: Array) -> tuple[Array, Array, Array]:
+        low = self.pos[:, :3].min(axis=0)
+        span = self.pos[:, :3].max(axis=0) - low
+        low = np.where(images, self.box[3], low)
+        span = np.where(images, self.box[0], span + 1e-12 * size)
+        count = np.maximum(np.floor(span / size), 1).astype(np.int64)
+        while np.prod(count.astype(float)) > 4.0 * len(self.pos) + 1000.0:
+            size *= 1.26
+            count = np.maximum(np.floor(span / size), 1).astype(np.int64)
+        count[images & (count < 3)] = 1
+        return span / count, low, count
+
+    def divide(self) -> None:
+        """Set chunks, buffers and candidate triples from the lists: no state of its own."""
+        n = len(self.pos)
+        number = 8 if n <= 20_000 else 16
+        self.chunks = np.array([n * c // number for c in range(number + 1)], np.int64)
+        self.pairs = self.first[self.chunks]
+        self.wpairs = self.wfirst[self.chunks]
+        self.last = self.chunks[1:].copy()
+        for c in range(number):
+            lo, hi = self.pairs[c], self.pairs[c + 1]
+            if hi > lo:
+                top = max(int(self.pa[lo:hi].max()), int(self.pb[lo:hi].max())) + 1
+                self.last[c] = max(self.last[c], top)
+        sizes = self.last - self.chunks[:-1]
+        self.offset = np.concatenate([[0], np.cumsum(sizes)[:-1]]).astype(np.int64)
+        self.buf = np.zeros((int(sizes.sum()), self.layout.columns))
+        if not hasattr(self, "scratch") or len(self.scratch) != number:
+            self.scratch = np.zeros((number, self.layout.rows * ct.W + 64))
+            self.listed = np.zeros((number, ct.W), np.int64)
+            self.ledger = np.zeros((number, ct.LEDGER))
+        self.wtotal = np.zeros((number, len(self.wall), wl.TOTALS))
+        if self.parts.screened:
+            self.tri, self.sides = triples(n, self.pa, self.pb)
+        else:
+            self.tri, self.sides = np.zeros(1, np.int64), np.zeros((0, 2), np.int32)
+
+    # ------------------------------------------------------------------ running
+
+    def advance(self, steps: int) -> int:
+        """Run up to so many steps; return the reason, lists rebuilt where needed."""
+        kernel = st.compiled(
+            self.parts,
+            self.particle_solids == 1,
+            self.rolling,
+            bool((self.box[1] > 0.0).any()),
+        )
+        cut = self.cut()
+        while steps > 0:
+            done, why = kernel(
+                steps, self.clock, self.sums, self.gravity, self.condition,
+                self.pos, self.vel, self.mat, self.field, self.ref, self.constants,
+                self.pa, self.pb, self.hist, self.flag, self.weight, self.dist, self.tri,
+                self.sides, self.wp, self.ww, self.whist, self.wflag,
+                self.table, len(self.solids), self.wall, self.move, self.total, self.program,
+                self.lengths, self.box, self.chunks, self.pairs, self.wpairs, self.last,
+                self.offset, self.buf, self.scratch, self.listed, self.ledger, self.wtotal,
+                self.report, self.wref, self.skin, cut,
+            )  # fmt: skip
+            self.since_rebuild += done
+            steps -= done
+            if why == st.REBUILD or why >= 16:
+                self.rebuild()
+                cut = self.cut()
+            if why not in (st.RAN, st.REBUILD):
+                return int(why % 16)
+        return st.RAN
+
+    @property
+    def steps(self) -> int:
+        """Steps done so far."""
+        return int(self.report[0])
+
+    @property
+    def time(self) -> float:
+        """Time [s]."""
+        return float(self.clock[st.TIME])
+
+    # ------------------------------------------------------------------ state
+
+    def saved(self) -> dict[str, Array]:
+        """Everything the next step depends on, for a checkpoint."""
+        state = {name: getattr(self, name) for name in SAVED}
+        state["counters"] = np.array(
+            [self.rebuilds, self.since_rebuild, self.lost_contacts], np.int64
+        )
+        state["skin"] = np.array(self.skin)
+        state["gravity"] = self.gravity
+        return state
+
+    def restore(self, state: dict[str, Array]) -> None:
+        """Take over a checkpoint of the same set-up."""
+        for name in SAVED:
+            setattr(self, name, np.array(state[name]))
+        self.rebuilds, self.since_rebuild, self.lost_contacts = map(int, state["counters"])
+        self.skin = float(state["skin"])
+        self.gravity = np.array(state["gravity"])
+        self.divide()

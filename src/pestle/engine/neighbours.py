@@ -1,0 +1,165 @@
+"""Pair list: particles sorted by cell, half list of all pairs within reach and skin.
+
+The order of particles and pairs depends on the particles alone, never on the number of
+threads.  Histories move to the new list by matching pairs.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from pestle import _jit
+from pestle.engine.walls import towards_wall
+
+
+@_jit.njit
+def cell_order(pos: Any, low: Any, cell: Any, count: Any) -> Any:
+    """Return the order of particles sorted by cell, and the start of each cell."""
+    n = pos.shape[0]
+    cells = count[0] * count[1] * count[2]
+    start = np.zeros(cells + 1, np.int64)
+    index = np.empty(n, np.int64)
+    for i in range(n):
+        a = 0
+        for c in range(3):
+            k = int((pos[i, c] - low[c]) / cell[c])
+            a = a * count[c] + min(max(k, 0), count[c] - 1)
+        index[i] = a
+        start[a + 1] += 1
+    for a in range(cells):
+        start[a + 1] += start[a]
+    place = start[:-1].copy()
+    order = np.empty(n, np.int64)
+    for i in range(n):
+        order[place[index[i]]] = i
+        place[index[i]] += 1
+    return order, start
+
+
+@_jit.njit
+def _scan(
+    pos: Any, ids: Any, low: Any, cell: Any, count: Any, start: Any, wrap: Any, images: Any, box: Any,
+    skin: float, first: Any, pa: Any, pb: Any,
+) -> int:
+    """Fill the half list; with empty `pa` only count: first[i+1] - first[i] pairs of i."""
+    n = pos.shape[0]
+    fill = pa.shape[0] > 0
+    total = 0
+    for i in range(n):
+        first[i] = total
+        at = np.empty(3, np.int64)
+        for c in range(3):
+            k = int((pos[i, c] - low[c]) / cell[c])
+            at[c] = min(max(k, 0), count[c] - 1)
+        for da in range(-1, 2):
+            a = at[0] + da
+            if wrap[0]:
+                a = a % count[0]
+            if a < 0 or a >= count[0]:
+                continue
+            for db in range(-1, 2):
+                b = at[1] + db
+                if wrap[1]:
+                    b = b % count[1]
+                if b < 0 or b >= count[1]:
+                    continue
+                for dc in range(-1, 2):
+                    d = at[2] + dc
+                    if wrap[2]:
+                        d = d % count[2]
+                    if d < 0 or d >= count[2]:
+                        continue
+                    cell_id = (a * count[1] + b) * count[2] + d
+                    for j in range(max(start[cell_id], i + 1), start[cell_id + 1]):
+                        d2 = 0.0
+                        for c in range(3):
+                            x = pos[i, c] - pos[j, c]
+                            if images[c]:
+                                x -= box[c] * np.floor(x / box[c] + 0.5)
+                            d2 += x * x
+                        r = pos[i, 3] + pos[j, 3] + skin
+                        if d2 < r * r:
+                            if fill:
+                                pa[total] = i if ids[i] < ids[j] else j
+                                pb[total] = j if ids[i] < ids[j] else i
+                            total += 1
+    first[n] = total
+    return total
+
+
+def pair_list(
+    pos: Any, ids: Any, low: Any, cell: Any, count: Any, start: Any, wrap: Any, images: Any, box: Any,
+    skin: float,
+) -> tuple[Any, Any, Any]:
+    """Return `first`, `pa`, `pb`: pairs of the lower index i are first[i]:first[i+1]."""
+    first = np.empty(pos.shape[0] + 1, np.int64)
+    none = np.empty(0, np.int32)
+    arguments = (pos, ids, low, cell, count, start, wrap, images, box, skin, first)
+    total = _scan(*arguments, none, none)
+    pa, pb = np.empty(total, np.int32), np.empty(total, np.int32)
+    _scan(*arguments, pa, pb)
+    return first, pa, pb
+
+
+@_jit.njit
+def carry_pairs(
+    order: Any, old_first: Any, old_a: Any, old_b: Any, old_hist: Any, old_flag: Any,
+    old_weight: Any, first: Any, pa: Any, pb: Any, hist: Any, flag: Any, weight: Any,
+) -> int:
+    """Copy histories to the new list; return how many pairs in contact found no place."""
+    kept = 0
+    for i in range(first.shape[0] - 1):
+        for s in range(first[i], first[i + 1]):
+            a, b = order[pa[s]], order[pb[s]]
+            for o in range(old_first[min(a, b)], old_first[min(a, b) + 1]):
+                if old_a[o] == a and old_b[o] == b:
+                    flag[s] = old_flag[o]
+                    weight[s] = old_weight[o]
+                    if old_flag[o] != 0:
+                        kept += old_flag[o] & 1
+                        for q in range(hist.shape[1]):
+                            hist[s, q] = old_hist[o, q]
+                    break
+    held = 0
+    for o in range(old_flag.shape[0]):
+        held += old_flag[o] & 1
+    return held - kept
+
+
+@_jit.njit
+def wall_list(pos: Any, wall: Any, skin: float, wp: Any, ww: Any, first: Any) -> int:
+    """Fill the list of particles near walls, by particle; empty `wp`: only count."""
+    total = 0
+    fill = wp.shape[0] > 0
+    for i in range(pos.shape[0]):
+        first[i] = total
+        for w in range(wall.shape[0]):
+            if wall[w, 10] == 0.0:
+                continue
+            x, y, z = towards_wall(pos[i, 0], pos[i, 1], pos[i, 2], wall, w)
+            r = pos[i, 3] + skin
+            if x * x + y * y + z * z < r * r:
+                if fill:
+                    wp[total] = i
+                    ww[total] = w
+                total += 1
+    first[pos.shape[0]] = total
+    return total
+
+
+@_jit.njit
+def carry_walls(
+    order: Any, old_first: Any, old_w: Any, old_hist: Any, old_flag: Any,
+    first: Any, ww: Any, hist: Any, flag: Any,
+) -> None:
+    """Copy the histories of wall contacts to the new list."""
+    for i in range(first.shape[0] - 1):
+        a = order[i]
+        for s in range(first[i], first[i + 1]):
+            for o in range(old_first[a], old_first[a + 1]):
+                if old_w[o] == ww[s]:
+                    flag[s] = old_flag[o]
+                    if old_flag[o] != 0:
+                        for q in range(hist.shape[1]):
+                            hist[s, q] = old_hist[o, q]
+                    break
