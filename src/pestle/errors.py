@@ -36,6 +36,8 @@ class PestleError(Exception):
         self.what = what
         self.where = where
         self.hint = hint
+        self.others: tuple[PestleError, ...] = ()
+        """Further errors found in the same input."""
 
     def __str__(self) -> str:
         lines = [f"error[{self.id}]: {self.what}"]
@@ -43,7 +45,7 @@ class PestleError(Exception):
             lines.append(f"  --> {self.where}")
         if self.hint:
             lines.append(f"  hint: {self.hint}")
-        return "\n".join(lines)
+        return "\n".join([*lines, *(str(other) for other in self.others)])
 
 
 class InputError(PestleError):

@@ -42,7 +42,8 @@ EXAMPLES = {
 }
 """How a person would write a value of each SI unit."""
 
-_COMMON = [*DIMENSIONS, *"um mm cm kPa MPa GPa ns us ms min kN mN mm/s g/cm^3".split()]
+_PREFIXED = ("um", "mm", "cm", "kPa", "MPa", "GPa", "ns", "us", "ms", "min", "kN")
+_COMMON = (*DIMENSIONS, *_PREFIXED, "mN", "mm/s", "g/cm^3")
 _NUMBER = r"[+-]?(?:\d[\d_]*\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?(?:inf|nan)"
 _TERM = r"[A-Za-zµμ°%]+(?:(?:\^|\*\*)?[+-]?\d|[²³])?"
 _UNIT = rf"(?:1\s*/\s*)?{_TERM}(?:\s*[*/·]\s*{_TERM}|\s+{_TERM})*"
@@ -86,7 +87,7 @@ def to_si(value: object, unit: str) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float | str):
         raise InputError(
             "bad-quantity",
-            f"{_shown(value)} is not a {DIMENSIONS[unit]}",
+            f"{shown(value)} is not a {DIMENSIONS[unit]}",
             hint=_advice(unit),
         )
     if isinstance(value, str):
@@ -96,7 +97,7 @@ def to_si(value: object, unit: str) -> float:
         result = _as_float(value)
     if not math.isfinite(result):
         raise InputError(
-            "not-finite", f"{_shown(value)} is not a finite number", hint=_advice(unit)
+            "not-finite", f"{shown(value)} is not a finite number", hint=_advice(unit)
         )
     return result
 
@@ -107,7 +108,7 @@ def split(text: str, unit: str = "1") -> tuple[float, str]:
     if match is None:
         raise InputError(
             "bad-quantity",
-            f"{_shown(text)} is not a number with a unit",
+            f"{shown(text)} is not a number with a unit",
             hint=_advice(unit),
         )
     return float(match[1]), match[2] or ""
@@ -200,7 +201,7 @@ def _advice(unit: str) -> str:
     return f'write it like "{EXAMPLES.get(unit, "1 " + unit)}" or as a number in {unit}'
 
 
-def _shown(value: object) -> str:
+def shown(value: object) -> str:
     """Show a value as the case file would, cut to a readable length."""
     if isinstance(value, bool):
         text = "true" if value else "false"

@@ -1,0 +1,53 @@
+"""Case files: what a run depends on, read from TOML or built in Python."""
+
+from pestle.config.case import Case
+from pestle.config.contacts import ContactSettings, PairProperties, PairSettings
+from pestle.config.geometry import (
+    BoxSettings,
+    CylinderWall,
+    DieSettings,
+    PlaneWall,
+)
+from pestle.config.law import LawSettings
+from pestle.config.materials import MaterialSettings
+from pestle.config.particles import ParticleSettings, SizeDistribution
+from pestle.config.process import (
+    Crush,
+    Deform,
+    Eject,
+    Fill,
+    Hold,
+    Move,
+    Press,
+    Relax,
+    Servo,
+    Unload,
+)
+from pestle.config.settings import EngineSettings, OutputSettings
+
+__all__ = [
+    "BoxSettings",
+    "Case",
+    "ContactSettings",
+    "Crush",
+    "CylinderWall",
+    "Deform",
+    "DieSettings",
+    "Eject",
+    "EngineSettings",
+    "Fill",
+    "Hold",
+    "LawSettings",
+    "MaterialSettings",
+    "Move",
+    "OutputSettings",
+    "PairProperties",
+    "PairSettings",
+    "ParticleSettings",
+    "PlaneWall",
+    "Press",
+    "Relax",
+    "Servo",
+    "SizeDistribution",
+    "Unload",
+]

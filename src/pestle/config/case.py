@@ -1,0 +1,139 @@
+"""The case: everything that a run depends on, in SI units, checked."""
+
+import json
+from pathlib import Path
+from typing import Any, Literal
+
+from pydantic import Field, PrivateAttr, model_validator
+
+from pestle.config.base import Section
+from pestle.config.checks import check_case, fill_contacts
+from pestle.config.contacts import ContactSettings, PairProperties
+from pestle.config.geometry import (
+    BoxSettings,
+    CylinderWall,
+    DieSettings,
+    PlaneWall,
+    Wall,
+)
+from pestle.config.law import LawSettings
+from pestle.config.materials import MaterialSettings
+from pestle.config.particles import ParticleSettings
+from pestle.config.process import Step
+from pestle.config.quantities import Name, Seed, Text
+from pestle.config.settings import EngineSettings, OutputSettings
+
+
+class Case(Section):
+    """A case: law, materials, particles, walls and process.
+
+    Read one with `Case.from_file`, or build it in Python with the same keys::
+
+        Case(
+            law="zunker2024",
+            materials={"powder": {"set": "avicel_ph102_zunker2025"}, ...},
+            ...
+        )
+    """
+
+    schema_version: Literal[1] = 1
+    """Version of the case-file format [-]."""
+    title: Text = ""
+    """Shown in the report."""
+    seed: Seed = 1
+    """The one seed of all random numbers [-]."""
+    law: LawSettings
+    """Contact law of all particles."""
+    materials: dict[Name, MaterialSettings] = Field(min_length=1)
+    """Materials by name."""
+    contacts: ContactSettings
+    """What pairs of materials do to each other."""
+    particles: ParticleSettings
+    """The powder."""
+    die: DieSettings | None = None
+    """Cylindrical die with two punches."""
+    walls: dict[Name, Wall] = Field(default_factory=dict)
+    """Walls by name, besides those of the die."""
+    box: BoxSettings | None = None
+    """Periodic box."""
+    engine: EngineSettings = EngineSettings()
+    """Numbers of the time integration."""
+    process: tuple[Step, ...] = Field(min_length=1, max_length=1000)
+    """Steps, one after the other."""
+    output: OutputSettings = OutputSettings()
+    """What is written and how often."""
+    _source: Path | None = PrivateAttr(default=None)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _fill(cls, data: Any) -> Any:
+        return fill_contacts(data)
+
+    @model_validator(mode="after")
+    def _check(self) -> "Case":
+        check_case(self)
+        return self
+
+    @classmethod
+    def from_file(
+        cls, path: str | Path, overrides: dict[str, Any] | list[str] | None = None
+    ) -> "Case":
+        """Read a case file.
+
+        Parameters
+        ----------
+        path : str or Path
+            TOML file.
+        overrides : dict or list of str, optional
+            Values to replace: ``{"law.psi_b": 0.4}`` or ``["law.psi_b=0.4"]``; the last
+            part of a path is enough where it is unique.
+
+        Raises
+        ------
+        InputError
+            Naming file, line, key, value and reason.
+        """
+        from pestle.config.file import read_case
+
+        return read_case(cls, Path(path), overrides)
+
+    @property
+    def source(self) -> Path | None:
+        """File that the case was read from."""
+        return self._source
+
+    def resolve(self, path: str) -> Path:
+        """Path of a file that the case names, relative to the case file."""
+        base = self._source.parent if self._source else Path()
+        return base / path
+
+    def pair(self, first: str, second: str) -> PairProperties:
+        """Friction, damping and adhesion of a pair of materials."""
+        return self.contacts.pair(first, second)
+
+    @property
+    def all_walls(self) -> dict[str, PlaneWall | CylinderWall]:
+        """Walls of the die, then the others, by name."""
+        return {**(self.die.walls() if self.die else {}), **self.walls}
+
+    @property
+    def stage_names(self) -> tuple[str, ...]:
+        """Unique name of every step of the process."""
+        names: list[str] = []
+        for stage in self.process:
+            name, number = stage.name or stage.step, 1
+            while name in names:
+                number += 1
+                name = f"{stage.name or stage.step} {number}"
+            names.append(name)
+        return tuple(names)
+
+    def canonical(self) -> str:
+        """Return the case as JSON with sorted keys; equal text means equal runs."""
+        return json.dumps(self.model_dump(mode="json"), sort_keys=True, allow_nan=False)
+
+    def to_toml(self) -> str:
+        """Return a case file with all values in SI units and absolute paths."""
+        from pestle.config.write import case_toml
+
+        return case_toml(self)
