@@ -108,7 +108,7 @@ def split(text: str, unit: str = "1") -> tuple[float, str]:
     if match is None:
         raise InputError(
             "bad-quantity",
-            f"{shown(text)} is not a number with a unit",
+            f"{shown(text)} is not a number" + ("" if unit == "1" else " with a unit"),
             hint=_advice(unit),
         )
     return float(match[1]), match[2] or ""

@@ -2,7 +2,7 @@
 
 import json
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from pydantic import Field, PrivateAttr, model_validator
 
@@ -22,6 +22,10 @@ from pestle.config.particles import ParticleSettings
 from pestle.config.process import Step
 from pestle.config.quantities import Name, Seed, Text
 from pestle.config.settings import EngineSettings, OutputSettings
+from pestle.errors import InputError
+
+if TYPE_CHECKING:
+    from pestle.config.particle_file import ParticleTable
 
 
 class Case(Section):
@@ -63,6 +67,7 @@ class Case(Section):
     output: OutputSettings = OutputSettings()
     """What is written and how often."""
     _source: Path | None = PrivateAttr(default=None)
+    _table: Any = PrivateAttr(default=None)
 
     @model_validator(mode="before")
     @classmethod
@@ -106,6 +111,19 @@ class Case(Section):
         """Path of a file that the case names, relative to the case file."""
         base = self._source.parent if self._source else Path()
         return base / path
+
+    def read_particles(self) -> "ParticleTable":
+        """Read and check the particle file that the case names."""
+        from pestle.config.particle_file import check_inside, read_particles
+
+        if self._table is None and self.particles.file is not None:
+            path = self.resolve(self.particles.file)
+            self._table = read_particles(path)
+            check_inside(self._table, self.all_walls, path)
+        if self._table is None:
+            raise InputError("no-particle-file", "the case reads no particles")
+        table: ParticleTable = self._table
+        return table
 
     def pair(self, first: str, second: str) -> PairProperties:
         """Friction, damping and adhesion of a pair of materials."""

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 from pydantic import ValidationError
 
-from pestle.config.translate import translated
+from pestle.config.locate import Path as Path_
+from pestle.config.translate import Origin, translated
 from pestle.errors import InputError
 
 if TYPE_CHECKING:
@@ -24,16 +25,35 @@ def read_case(
     """Read and validate a case file; see `Case.from_file`."""
     text = read_text(path, LARGEST_CASE)
     data = parse_toml(text, path)
+    changed: list[Path_] = []
     if overrides:
         from pestle.config.overrides import apply
 
-        apply(data, overrides)
+        changed = apply(data, overrides)
+    origin = Origin(text, str(path), tuple(changed))
     try:
-        case = model.model_validate(data, context={"source": path})
+        case = model.model_validate(data)
     except ValidationError as error:
-        raise translated(error, model, text=text, source=str(path)) from None
+        raise translated(error, model, origin) from None
     case._source = path
+    _check_files(case, origin)
     return case
+
+
+def _check_files(case: "Case", origin: Origin) -> None:
+    """Read what the case names, so that a bad file is found before the run."""
+    if case.particles.file is not None:
+        case.read_particles()
+    if case.particles.start_from is not None:
+        folder = case.resolve(case.particles.start_from)
+        if not (folder / "checkpoint.npz").is_file():
+            raise InputError(
+                "no-such-run",
+                f'start_from = "{case.particles.start_from}": there is no run in '
+                f"{folder} (no checkpoint.npz)",
+                origin.place(("particles", "start_from")),
+                "the path is relative to the case file",
+            )
 
 
 def read_text(path: Path, largest: int) -> str:

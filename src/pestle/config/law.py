@@ -24,7 +24,7 @@ class LawSettings(Section):
     def _read(cls, value: Any, handler: Any) -> "LawSettings":
         if isinstance(value, cls):
             return value
-        law = value if dataclasses.is_dataclass(value) else _built(value)
+        law: Any = value if dataclasses.is_dataclass(value) else _built(value)
         settings: LawSettings = handler(
             {"name": law.name, "options": dataclasses.asdict(law)}
         )

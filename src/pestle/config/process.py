@@ -182,7 +182,7 @@ class Move(Stage):
 
     def _check_turn(self) -> None:
         if self.turn_at is None:
-            if "back_to" in self.model_fields_set:
+            if self.back_to != 0.0:
                 raise problem(
                     "contradiction",
                     "back_to is given without turn_at",

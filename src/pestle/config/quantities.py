@@ -1,6 +1,7 @@
 """Types of the values in a case file: SI floats that accept text with a unit."""
 
 from dataclasses import dataclass
+from operator import ge, gt, le, lt
 from typing import Annotated, Any
 
 from pydantic import Field, GetCoreSchemaHandler, GetJsonSchemaHandler
@@ -36,12 +37,12 @@ class Quantity:
         except InputError as error:
             raise reworded(error) from None
         for bound, is_met, words in (
-            (self.above, lambda b: number > b, "greater than"),
-            (self.least, lambda b: number >= b, "at least"),
-            (self.below, lambda b: number < b, "less than"),
-            (self.most, lambda b: number <= b, "at most"),
+            (self.above, gt, "greater than"),
+            (self.least, ge, "at least"),
+            (self.below, lt, "less than"),
+            (self.most, le, "at most"),
         ):
-            if bound is not None and not is_met(bound):
+            if bound is not None and not is_met(number, bound):
                 limit = f"{bound:g}" + ("" if self.unit == "1" else f" {self.unit}")
                 raise problem("out-of-range", f"must be {words} {limit}")
         return number

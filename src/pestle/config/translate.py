@@ -1,11 +1,12 @@
 """From pydantic's errors to ours: the key, the value, the reason and a hint."""
 
+from dataclasses import dataclass
 from typing import Any, get_args
 
 from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
 
-from pestle.config.locate import line_of
+from pestle.config.locate import Path, line_of
 from pestle.config.process import STEPS
 from pestle.errors import InputError, did_you_mean
 from pestle.units import shown
@@ -14,12 +15,33 @@ _UNION_NOISE = ("constrained-str", "function-", "literal[", "float", "tuple[")
 _MOST = 8
 
 
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """Where the values of a case come from.
+
+    Parameters
+    ----------
+    text, source : str
+        The case file and its name.
+    changed : tuple of paths
+        Keys that were set from outside the file.
+    """
+
+    text: str
+    source: str
+    changed: tuple[Path, ...] = ()
+
+    def place(self, path: Path) -> str:
+        """Name the place of a key: file and line, or the option that set it."""
+        dotted = ".".join(str(part) for part in path)
+        if any(path[: len(key)] == key for key in self.changed):
+            return f"--set {dotted}"
+        line = line_of(self.text, path)
+        return f"{self.source}:{line}  {dotted}" if line else f"{self.source}  {dotted}"
+
+
 def translated(
-    error: ValidationError,
-    model: type[BaseModel],
-    *,
-    text: str | None = None,
-    source: str | None = None,
+    error: ValidationError, model: type[BaseModel], origin: Origin | None = None
 ) -> InputError:
     """Translate what pydantic found into one `InputError`, the others attached.
 
@@ -29,19 +51,16 @@ def translated(
         What pydantic raised.
     model : type
         The section that was validated.
-    text, source : str, optional
-        The case file and its name, to point to lines.
+    origin : Origin, optional
+        The case file, to point to lines.
     """
-    errors = []
+    errors: list[InputError] = []
     for details in error.errors(include_url=False):
-        one = _translate(details, model)
-        path = one[1]
-        where = ".".join(str(part) for part in path)
-        if source:
-            line = line_of(text or "", path)
-            place = f"{source}:{line}" if line else source
-            where = f"{place}  {where}".rstrip()
-        id, _, what, hint = one
+        if details["type"] == "too_short" and details["input"] and errors:
+            continue  # what is wrong with the entries is reported itself
+        id, path, what, hint = _translate(details, model)
+        dotted = ".".join(str(part) for part in path)
+        where = origin.place(path) if origin else dotted
         if all(what != known.what or where != known.where for known in errors):
             errors.append(InputError(id, what, where or None, hint))
     first, *others = errors
@@ -51,7 +70,7 @@ def translated(
 
 def _translate(
     details: Any, model: type[BaseModel]
-) -> tuple[str, tuple[str | int, ...], str, str | None]:
+) -> tuple[str, Path, str, str | None]:
     """Id, path, text and hint of one of pydantic's errors."""
     kind, context = details["type"], details.get("ctx", {})
     path = _clean(details["loc"])
@@ -94,7 +113,7 @@ _REASONS = {
 }
 
 
-def _with_value(context: Any, path: tuple[str | int, ...], value: Any) -> str:
+def _with_value(context: Any, path: Path, value: Any) -> str:
     """Put key and value in front of a reason that does not name them itself."""
     what: str = context["what"]
     name = next((part for part in reversed(path) if isinstance(part, str)), "")
@@ -108,8 +127,8 @@ def _with_value(context: Any, path: tuple[str | int, ...], value: Any) -> str:
 
 
 def _tag(
-    kind: str, context: Any, path: tuple[str | int, ...], value: Any
-) -> tuple[str, tuple[str | int, ...], str, str | None]:
+    kind: str, context: Any, path: Path, value: Any
+) -> tuple[str, Path, str, str | None]:
     tag = context["discriminator"].strip("'")
     if kind == "union_tag_not_found":
         if not isinstance(value, dict):
@@ -122,7 +141,7 @@ def _tag(
     return f"unknown-{tag}", (*path, tag), what, did_you_mean(given, known)
 
 
-def _value_at(value: Any, key: tuple[str | int, ...]) -> Any:
+def _value_at(value: Any, key: Path) -> Any:
     for part in key:
         if isinstance(value, BaseModel):
             value = getattr(value, str(part), None)
@@ -135,7 +154,7 @@ def _value_at(value: Any, key: tuple[str | int, ...]) -> Any:
     return value
 
 
-def _clean(location: tuple[str | int, ...]) -> tuple[str | int, ...]:
+def _clean(location: Path) -> Path:
     """Drop what pydantic adds for unions; it stands in no case file."""
     path: list[str | int] = []
     for part in location:
@@ -154,9 +173,7 @@ def _clean(location: tuple[str | int, ...]) -> tuple[str | int, ...]:
 _TAGS = frozenset((*STEPS, "plane", "cylinder"))
 
 
-def _section(
-    model: type[BaseModel], path: tuple[str | int, ...]
-) -> list[type[BaseModel]]:
+def _section(model: type[BaseModel], path: Path) -> list[type[BaseModel]]:
     """Sections that a path can lead to (several where a tag decides)."""
     sections = [model]
     for part in path:
