@@ -1,0 +1,44 @@
+"""All commands; each imports what it needs when it runs."""
+
+from typing import Annotated
+
+import typer
+
+from pestle.cli.cite import cite
+from pestle.cli.laws import laws
+from pestle.cli.materials import materials
+from pestle.cli.plan import plan
+from pestle.cli.report import report
+from pestle.cli.run import run
+from pestle.cli.schema import schema
+
+app = typer.Typer(
+    name="pestle",
+    help="Powder compaction with elastic-plastic adhesive particles.",
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+for _command in (run, plan, report, laws, materials, cite, schema):
+    app.command()(_command)
+
+
+def _version(value: bool) -> None:
+    if value:
+        from pestle import __version__
+
+        typer.echo(__version__)
+        raise typer.Exit
+
+
+@app.callback()
+def _options(
+    version: Annotated[
+        bool,
+        typer.Option(
+            "--version", callback=_version, is_eager=True, help="Print the version."
+        ),
+    ] = False,
+) -> None:
+    """Powder compaction with elastic-plastic adhesive particles."""

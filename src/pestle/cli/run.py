@@ -1,0 +1,133 @@
+"""pestle run: compute a case."""
+
+import signal
+from pathlib import Path
+from types import FrameType
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from pestle.cli.options import AsJson, CaseFile, Settings, Threads
+from pestle.errors import InputError
+
+if TYPE_CHECKING:
+    from pestle.config import Case
+    from pestle.simulation import RunResult
+
+_WRITTEN = (
+    "case.toml",
+    "checkpoint.npz",
+    "history.csv",
+    "metrics.json",
+    "provenance.json",
+    "report.html",
+    "results.vtkhdf",
+    "stages.json",
+)
+
+
+def run(
+    case: CaseFile,
+    settings: Settings = None,
+    out: Annotated[
+        Path | None,
+        typer.Option(
+            "--out",
+            metavar="DIR",
+            help="Output folder; by default runs/ and the name of the case.",
+            show_default=False,
+        ),
+    ] = None,
+    threads: Threads = None,
+    resume: Annotated[
+        bool, typer.Option("--resume", help="Continue from the last checkpoint.")
+    ] = False,
+    overwrite: Annotated[
+        bool, typer.Option("--overwrite", help="Replace an earlier run in DIR.")
+    ] = False,
+    as_json: AsJson = False,
+    quiet: Annotated[
+        bool, typer.Option("--quiet", "-q", help="No progress, no summary.")
+    ] = False,
+) -> int:
+    """Compute a case and write its results and report.
+
+    Ctrl-C stops at once and loses nothing: --resume goes on from there.
+    """
+    from pestle.cli.progress import progress
+    from pestle.config import Case
+
+    loaded = Case.from_file(case, settings)
+    folder = out if out is not None else Path("runs") / case.stem
+    _prepare(folder, resume=resume, overwrite=overwrite)
+    signal.signal(signal.SIGTERM, _stop_like_ctrl_c)
+    from pestle import simulation
+
+    try:
+        with progress(quiet=quiet) as report:
+            result = simulation.run(
+                loaded, out=folder, threads=threads, resume=resume, progress=report
+            )
+    except KeyboardInterrupt:
+        _say_how_to_go_on(case, folder, settings)
+        raise
+    return _finish(loaded, result, as_json=as_json, quiet=quiet)
+
+
+def _finish(case: "Case", result: "RunResult", *, as_json: bool, quiet: bool) -> int:
+    """Write the report, print the summary, give the exit code."""
+    from pestle.cli import INTERRUPTED
+    from pestle.cli.printing import duration, print_json, shortened
+    from pestle.cli.report import build_report
+
+    if str(result.stop_reason) == "interrupted":
+        if case.source is not None:
+            _say_how_to_go_on(case.source, Path(result.out), None)
+        return INTERRUPTED
+    page = build_report(Path(result.out))
+    if as_json:
+        print_json({**_fields(result), "report": page})
+    elif not quiet:
+        typer.echo(f"{result.steps} steps in {duration(result.wall_time)}")
+        typer.echo(f"report: {shortened(page)}")
+    return 0
+
+
+def _fields(result: "RunResult") -> dict[str, object]:
+    keys = ("out", "stop_reason", "metrics", "steps", "wall_time")
+    return {key: getattr(result, key) for key in keys}
+
+
+def _prepare(folder: Path, *, resume: bool, overwrite: bool) -> None:
+    """Refuse to mix two runs in one folder."""
+    if folder.exists() and not folder.is_dir():
+        raise InputError("not-a-folder", f"{folder} is a file", "--out")
+    if resume and overwrite:
+        what = "--resume and --overwrite contradict each other"
+        raise InputError("contradiction", what, "--resume", "keep one")
+    present = [name for name in _WRITTEN if (folder / name).exists()]
+    if resume or not present:
+        return
+    if not overwrite:
+        raise InputError(
+            "folder-in-use",
+            f"{folder} holds an earlier run",
+            "--out",
+            "--resume goes on with it, --overwrite replaces it, or name another --out",
+        )
+    for name in present:
+        (folder / name).unlink()
+
+
+def _stop_like_ctrl_c(number: int, frame: FrameType | None) -> None:
+    """Handle SIGTERM as whatever Ctrl-C does at this moment."""
+    signal.raise_signal(signal.SIGINT)
+
+
+def _say_how_to_go_on(case: Path, folder: Path, settings: list[str] | None) -> None:
+    import shlex
+
+    words = ["pestle", "run", str(case), "--out", str(folder)]
+    for setting in settings or ():
+        words += ["--set", setting]
+    typer.echo(f"continue with: {shlex.join([*words, '--resume'])}", err=True)
