@@ -1,5 +1,6 @@
 """What a run leaves behind: results file, history, stages, provenance."""
 
+from pestle.results.folder import RunFolder
 from pestle.results.history import History, HistoryTable, read_history
 from pestle.results.provenance import collect, read_provenance, write_provenance
 from pestle.results.read import Frame, Results
@@ -12,6 +13,7 @@ __all__ = [
     "HistoryTable",
     "ResultFile",
     "Results",
+    "RunFolder",
     "Stage",
     "collect",
     "read_history",

@@ -1,0 +1,105 @@
+"""All numbers of a run, and ``metrics.json``."""
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from pestle.metrics.die_curves import DieCurves, die_curves
+from pestle.metrics.die_metrics import fit_metrics, pressing_metrics, release_metrics
+from pestle.metrics.metric import Metric
+from pestle.metrics.powder_metrics import energy_metrics, powder_metrics
+from pestle.metrics.tablet_metrics import tablet_metrics
+from pestle.results.folder import METRICS, RunFolder
+
+LEDGER_LIMIT = 0.005
+"""Largest ledger residual over the work put in that passes without a warning [-]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Summary:
+    """What a run says.
+
+    Parameters
+    ----------
+    metrics : tuple of Metric
+        Numbers with units and definitions.
+    warnings : tuple of str
+        What the reader should know before using them.
+    curves : DieCurves or None
+        Stresses and density over time, for a die.
+    """
+
+    metrics: tuple[Metric, ...]
+    warnings: tuple[str, ...]
+    curves: DieCurves | None
+
+    def value(self, key: str) -> float | None:
+        """SI value of a metric, None if the run does not have it."""
+        for metric in self.metrics:
+            if metric.key == key:
+                return metric.value
+        return None
+
+    def as_dict(self) -> dict[str, Any]:
+        """Everything as plain values for JSON."""
+        return {
+            "schema_version": 1,
+            "metrics": {
+                metric.key: {
+                    "value": metric.value,
+                    "unit": metric.unit,
+                    "label": metric.label,
+                    "definition": metric.definition,
+                }
+                for metric in self.metrics
+            },
+            "warnings": list(self.warnings),
+        }
+
+
+def summarise(folder: RunFolder) -> Summary:
+    """Work out every number that the run allows."""
+    metrics: list[Metric] = []
+    curves = die_curves(folder)
+    if curves is not None:
+        metrics += pressing_metrics(curves) + fit_metrics(curves)
+        metrics += release_metrics(curves, folder) + tablet_metrics(curves, folder)
+    metrics += powder_metrics(folder)
+    if folder.history is not None:
+        metrics += energy_metrics(folder.history)
+    known = tuple(metric for metric in metrics if metric.is_known)
+    return Summary(known, tuple(_warnings(folder, known)), curves)
+
+
+def _warnings(folder: RunFolder, metrics: tuple[Metric, ...]) -> list[str]:
+    found = list(folder.problems)
+    value = {metric.key: metric.value for metric in metrics}
+    residual = value.get("ledger_residual", 0.0)
+    if residual > LEDGER_LIMIT:
+        found.append(
+            f"The energy ledger misses {100 * residual:.2g} % of the work put in "
+            f"(more than {100 * LEDGER_LIMIT:g} %): use a smaller time step."
+        )
+    if value.get("peak_relative_density", 0.0) >= 1.0:
+        found.append(
+            "The relative density in the die reaches 1 or more: the powder is "
+            "compressed elastically beyond its solid volume, and Heckel points there "
+            "are left out."
+        )
+    if value.get("tablet_share", 1.0) < 0.95:
+        found.append(
+            f"Only {100 * value['tablet_share']:.3g} % of the particles hang together "
+            "after ejection: the tablet has crumbled or capped."
+        )
+    for stage in folder.stages:
+        found += [str(text) for text in stage.info.get("warnings", [])]
+    return found
+
+
+def write_metrics(path: Path, summary: Summary) -> None:
+    """Write ``metrics.json`` into the output folder `path`."""
+    text = json.dumps(summary.as_dict(), indent=2, ensure_ascii=False, allow_nan=False)
+    draft = path / (METRICS + ".new")
+    draft.write_text(text + "\n", encoding="utf-8")
+    draft.replace(path / METRICS)
