@@ -45,7 +45,7 @@ EXAMPLES = {
 _PREFIXED = ("um", "mm", "cm", "kPa", "MPa", "GPa", "ns", "us", "ms", "min", "kN")
 _COMMON = (*DIMENSIONS, *_PREFIXED, "mN", "mm/s", "g/cm^3")
 _NUMBER = r"[+-]?(?:\d[\d_]*\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?(?:inf|nan)"
-_TERM = r"[A-Za-zµμ°%]+(?:(?:\^|\*\*)?[+-]?\d|[²³])?"
+_TERM = r"[A-Za-zµμ°%]+(?:(?:\^|\*\*)?[+-]?[1-9]|[²³])?"
 _UNIT = rf"(?:1\s*/\s*)?{_TERM}(?:\s*[*/·]\s*{_TERM}|\s+{_TERM})*"
 _QUANTITY = re.compile(rf"\s*({_NUMBER})\s*({_UNIT})?\s*", re.IGNORECASE)
 _LONGEST = 60
@@ -127,9 +127,9 @@ def dimension(text: str) -> str | None:
     _, unit = split(text)
     if not unit:
         return None
-    parsed = _parsed(unit)
+    _, dimensions = _base(unit)
     for known in DIMENSIONS:
-        if known not in ("1", "rad") and parsed.is_compatible_with(known):
+        if known not in ("1", "rad") and _base(known)[1] == dimensions:
             return known
     return None
 
@@ -139,9 +139,8 @@ def _convert(number: float, text: str, value: str, unit: str) -> float:
         if unit == "1":
             return number
         raise InputError("bad-quantity", f'"{value}" has no unit', hint=_advice(unit))
-    parsed = _parsed(text)
-    target = "dimensionless" if unit == "1" else unit
-    if not parsed.is_compatible_with(target):
+    factor, dimensions = _base(text)
+    if dimensions != _base("dimensionless" if unit == "1" else unit)[1]:
         is_now = dimension(value)
         kind = f"a {DIMENSIONS[is_now]}" if is_now else f"in {text}"
         raise InputError(
@@ -149,13 +148,12 @@ def _convert(number: float, text: str, value: str, unit: str) -> float:
             f'"{value}" is {kind}, not a {DIMENSIONS[unit]}',
             hint=_advice(unit),
         )
-    factor = float((1.0 * parsed).to(target).magnitude)
     return _tidy(number, factor)
 
 
 def _tidy(number: float, factor: float) -> float:
     """Multiply so that decimal prefixes stay exact: 150 um is 0.00015 m."""
-    exponent = round(math.log10(factor))
+    exponent = round(math.log10(factor)) if factor > 0.0 else 0
     is_prefix = math.isclose(factor, 10.0**exponent, rel_tol=1e-12)
     if is_prefix and math.isfinite(number):
         return float(Decimal(repr(number)).scaleb(exponent))
@@ -170,22 +168,23 @@ def _registry() -> Any:
 
 
 @cache
-def _parsed(unit: str) -> Any:
+def _base(unit: str) -> tuple[float, str]:
+    """Return how many SI base units a unit is, and its dimensions."""
+    from pint.errors import PintError
+
     text = unit.replace("µ", "u").replace("μ", "u").replace("·", "*")
     text = text.replace("²", "^2").replace("³", "^3").replace("%", "percent")
     text = re.sub(r"(?<=[A-Za-z])(?=[+-]?\d)", "^", text)
     text = re.sub(r"(?<=[A-Za-z\d])\s+(?=[A-Za-z])", "*", text)
     text = re.sub(r"^1\s*/\s*", "dimensionless/", text)
-    from pint.errors import PintError
-
     try:
-        return _registry().parse_units(text)
-    except (PintError, ValueError, TypeError) as error:
+        quantity = (1.0 * _registry().parse_units(text)).to_base_units()
+        return float(quantity.magnitude), str(quantity.dimensionality)
+    except (PintError, ArithmeticError, LookupError, TypeError, ValueError) as error:
         match = nearest(unit, _COMMON)
         hint = f'did you mean "{match}"?' if match else "case matters: MPa, um, J/m^2"
-        raise InputError(
-            "unknown-unit", f'"{unit}" is not a unit', hint=hint
-        ) from error
+        what = f'"{unit}" is not a unit that a case file can use'
+        raise InputError("unknown-unit", what, hint=hint) from error
 
 
 def _as_float(value: int | float) -> float:
@@ -209,6 +208,8 @@ def shown(value: object) -> str:
         text = f'"{value}"'
     elif isinstance(value, int) and abs(value) > 10**30:
         text = "a number of more than 30 digits"
-    else:
+    elif isinstance(value, int | float | list | tuple | dict):
         text = repr(value)
+    else:
+        text = str(value)
     return text if len(text) <= _LONGEST else text[: _LONGEST - 3] + "..."

@@ -85,7 +85,3 @@ def _report_bug() -> int:
         file.write(text)
     print(f"  hint: please report it with {file.name}", file=sys.stderr)
     return BUG
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -150,6 +150,11 @@ class Case(Section):
         """Return the case as JSON with sorted keys; equal text means equal runs."""
         return json.dumps(self.model_dump(mode="json"), sort_keys=True, allow_nan=False)
 
+    def canonical_law(self) -> str:
+        """Return law, materials and pairs as JSON: contact histories need them."""
+        parts = self.model_dump(mode="json", include={"law", "materials", "contacts"})
+        return json.dumps(parts, sort_keys=True, allow_nan=False)
+
     def to_toml(self) -> str:
         """Return a case file with all values in SI units and absolute paths."""
         from pestle.config.write import case_toml

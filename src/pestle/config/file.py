@@ -95,9 +95,10 @@ def parse_toml(text: str, path: Path) -> dict[str, Any]:
             reason = "nested too deeply"
         line = reason.rpartition("at line ")[2].partition(",")[0]
         where = f"{path}:{line}" if line.isdecimal() else str(path)
-        hint = 'texts and quantities stand in quotes: radius = "150 um"'
+        is_bare = "newline" in reason or "Invalid value" in reason
+        hint = 'a text or quantity stands in quotes: radius = "150 um"'
         what = f"the file is not TOML: {reason}"
-        raise InputError("not-toml", what, where, hint) from None
+        raise InputError("not-toml", what, where, hint if is_bare else None) from None
     if _depth(data, _DEEPEST) > _DEEPEST:
         raise InputError("not-toml", "tables are nested too deeply", str(path))
     return data

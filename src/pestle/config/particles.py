@@ -5,7 +5,7 @@ from typing import Any, Literal
 from pydantic import model_validator
 
 from pestle.config.base import Section, problem
-from pestle.config.quantities import Count, Distance, Length, Name, Text
+from pestle.config.quantities import RADIUS, Count, Distance, Length, Name, Text
 
 Distribution = Literal["single", "uniform", "normal", "lognormal"]
 
@@ -29,12 +29,9 @@ class SizeDistribution(Section):
     @classmethod
     def _fill(cls, data: Any) -> Any:
         if not isinstance(data, dict):
-            return {
-                "distribution": "single",
-                "mean": data,
-                "minimum": data,
-                "maximum": data,
-            }
+            radius = RADIUS.read(data)
+            limits = {"minimum": radius, "maximum": radius}
+            return {"distribution": "single", "mean": radius, **limits}
         kind = data.get("distribution")
         if kind == "single" and "mean" in data:
             return {"minimum": data["mean"], "maximum": data["mean"], **data}
@@ -42,10 +39,19 @@ class SizeDistribution(Section):
             return _with_tails(data)
         if kind == "uniform" and {"minimum", "maximum"} <= data.keys():
             return _with_middle(data)
+        if kind in ("normal", "lognormal"):
+            return {"minimum": 1.0, "maximum": 1.0, **data}  # mean is reported missing
         return data
 
     @model_validator(mode="after")
     def _check(self) -> "SizeDistribution":
+        if self.distribution in ("normal", "lognormal") and self.deviation == 0.0:
+            raise problem(
+                "missing-key",
+                f"a {self.distribution} distribution needs a deviation above zero",
+                'add deviation = "10 um"',
+                key=("deviation",),
+            )
         if not self.minimum <= self.mean <= self.maximum:
             raise problem(
                 "contradiction",
@@ -61,13 +67,6 @@ class SizeDistribution(Section):
                 "smallest",
                 "keep the ratio below 1000",
                 key=("maximum",),
-            )
-        if self.distribution in ("normal", "lognormal") and self.deviation == 0.0:
-            raise problem(
-                "missing-key",
-                f"a {self.distribution} distribution needs a deviation above zero",
-                'add deviation = "10 um"',
-                key=("deviation",),
             )
         return self
 

@@ -75,7 +75,9 @@ class Quantity:
         return {"anyOf": [number, text], "x-unit": self.unit}
 
 
-Length = Annotated[float, Quantity("m", above=0.0, most=1e5)]
+RADIUS = Quantity("m", above=0.0, most=1e5)
+
+Length = Annotated[float, RADIUS]
 Distance = Annotated[float, Quantity("m", least=0.0, most=1e5)]
 Coordinate = Annotated[float, Quantity("m", least=-1e5, most=1e5)]
 Duration = Annotated[float, Quantity("s", above=0.0, most=1e6)]

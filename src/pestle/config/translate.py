@@ -11,7 +11,7 @@ from pestle.config.process import STEPS
 from pestle.errors import InputError, did_you_mean
 from pestle.units import shown
 
-_UNION_NOISE = ("constrained-str", "function-", "literal[", "float", "tuple[")
+_UNION_NOISE = ("constrained-", "function-", "literal[", "tuple[")
 _MOST = 8
 
 
@@ -54,16 +54,17 @@ def translated(
     origin : Origin, optional
         The case file, to point to lines.
     """
-    errors: list[InputError] = []
+    errors: dict[Path, InputError] = {}
     for details in error.errors(include_url=False):
         if details["type"] == "too_short" and details["input"] and errors:
             continue  # what is wrong with the entries is reported itself
         id, path, what, hint = _translate(details, model)
         dotted = ".".join(str(part) for part in path)
         where = origin.place(path) if origin else dotted
-        if all(what != known.what or where != known.where for known in errors):
-            errors.append(InputError(id, what, where or None, hint))
-    first, *others = errors
+        if path in errors and hint and errors[path].id == "unknown-choice":
+            hint = f"{hint}, or {errors[path].hint}"  # an alternative: the other's hint
+        errors[path] = InputError(id, what, where or None, hint)
+    first, *others = errors.values()
     first.others = tuple(others[: _MOST - 1])
     return first
 
@@ -81,10 +82,13 @@ def _translate(
             value = _value_at(value, context["key"])
         return context["id"], path, _with_value(context, path, value), context["hint"]
     name = str(path[-1]) if path else "the case"
-    section = _section(model, path[:-1])
+    section = _section(model, details["loc"][:-1])
     if kind == "extra_forbidden":
         known = _keys(section)
         return "unknown-key", path, f'unknown key "{name}"', did_you_mean(name, known)
+    if kind == "missing" and path and isinstance(path[-1], int):
+        what = f"{path[-2]} = {shown(value)} has too few entries"
+        return "wrong-type", path[:-1], what, None
     if kind == "missing":
         what = f"{name} is missing"
         return "missing-key", path, what, _missing_hint(section, name)
@@ -117,10 +121,10 @@ def _with_value(context: Any, path: Path, value: Any) -> str:
     """Put key and value in front of a reason that does not name them itself."""
     what: str = context["what"]
     name = next((part for part in reversed(path) if isinstance(part, str)), "")
+    if value is not None and what.startswith(shown(value)):
+        return f"{name} = {what}"
     if value is None or isinstance(value, dict | BaseModel):
         return what
-    if what.startswith(shown(value)):
-        return f"{name} = {what}"
     if what.startswith("must"):
         return f"{name} = {shown(value)} {what}"
     return what if name in what else f"{name} = {shown(value)}: {what}"
@@ -158,7 +162,9 @@ def _clean(location: Path) -> Path:
     """Drop what pydantic adds for unions; it stands in no case file."""
     path: list[str | int] = []
     for part in location:
-        if isinstance(part, str) and part.startswith(_UNION_NOISE):
+        if isinstance(part, str) and (
+            part.startswith(_UNION_NOISE) or part in ("float", "[key]")
+        ):
             continue
         follows = path and (
             (isinstance(path[-1], int) and path[0] == "process")
@@ -177,6 +183,10 @@ def _section(model: type[BaseModel], path: Path) -> list[type[BaseModel]]:
     """Sections that a path can lead to (several where a tag decides)."""
     sections = [model]
     for part in path:
+        tagged = [section for section in sections if part in _tag_of(section)]
+        if tagged:
+            sections = tagged
+            continue
         following: list[type[BaseModel]] = []
         for section in sections:
             field = _field(section, part)
@@ -186,6 +196,12 @@ def _section(model: type[BaseModel], path: Path) -> list[type[BaseModel]]:
                 following.append(section)  # an index or a free name inside a table
         sections = following or sections
     return sections
+
+
+def _tag_of(section: type[BaseModel]) -> tuple[Any, ...]:
+    """Word that chooses this section among others: its step or its kind."""
+    fields = section.model_fields
+    return tuple(fields[key].default for key in ("step", "kind") if key in fields)
 
 
 def _field(section: type[BaseModel], name: str | int) -> FieldInfo | None:
@@ -219,5 +235,5 @@ def _missing_hint(sections: list[type[BaseModel]], name: str) -> str | None:
         field = _field(section, name)
         if field is not None and field.description:
             first = field.description.split(";")[0].split("\n")[0].rstrip(".")
-            return f"{name}: {first}"
+            return f"add {name}: {first}"
     return None
