@@ -301,6 +301,21 @@ class Engine:
                 return int(why % 16)
         return st.RAN
 
+    def start(self) -> None:
+        """Evaluate the contacts that exist at the start, and begin the ledger there."""
+        step, self.clock[st.DT] = float(self.clock[st.DT]), 0.0
+        longest, self.clock[st.DT_MAX] = float(self.clock[st.DT_MAX]), 0.0
+        before = self.condition
+        self.condition = np.zeros((0, 3))
+        self.advance(1)
+        self.condition = before
+        self.clock[st.DT], self.clock[st.DT_MAX] = step, longest
+        self.clock[st.DT_LAST] = 0.0
+        self.report[0] -= 1
+        stored = self.sums[st.STORED]
+        self.sums[:] = 0.0
+        self.sums[st.STORED] = stored
+
     @property
     def steps(self) -> int:
         """Steps done so far."""
