@@ -22,28 +22,29 @@ def plan(case: CaseFile, settings: Settings = None, as_json: AsJson = False) -> 
     rows = [
         ("law", loaded.law.name),
         ("particles", f"{planned.particles}"),
-        ("time step", quantity(planned.time_step, "s")),
+        ("time step", quantity(float(f"{planned.time_step:.4g}"), "s")),
         ("  limited by", str(planned.time_step_reason)),
         ("steps", f"{planned.steps}"),
         ("memory", memory(planned.memory_bytes)),
         ("wall time", f"about {duration(planned.wall_time_s)}"),
     ]
     print_table(rows)
-    typer.echo("stages")
-    for name, stage in zip(loaded.stage_names, planned.stages, strict=False):
-        typer.echo(f"  {name}: {_words(stage)}" if _words(stage) else f"  {name}")
+    typer.echo("")
+    print_table(_stage_rows(planned.stages))
 
 
-def _words(stage: Any) -> str:
-    """Words for a stage, whatever a plan says about it."""
-    from pestle.cli.printing import plain
-
-    described = plain(stage)
-    if not isinstance(described, dict):
-        return str(described)
-    known = {key: value for key, value in described.items() if key != "name"}
-    return ", ".join(f"{key} {_number(value)}" for key, value in known.items())
+def _stage_rows(stages: list[dict[str, Any]]) -> list[list[str]]:
+    """Rows of a table of the stages; the keys are the columns, their unit in [ ]."""
+    header = list(stages[0])
+    rows = [[key.partition(" [")[0] for key in header]]
+    for stage in stages:
+        rows.append([_cell(key, stage.get(key)) for key in header])
+    return rows
 
 
-def _number(value: Any) -> str:
-    return f"{value:.4g}" if isinstance(value, float) else str(value)
+def _cell(key: str, value: Any) -> str:
+    from pestle.cli.printing import quantity
+
+    if isinstance(value, float):
+        return quantity(float(f"{value:.3g}"), key.partition("[")[2].rstrip("]"))
+    return str(value)

@@ -5,6 +5,8 @@ from typing import Annotated
 
 import typer
 
+from pestle.errors import InputError
+
 
 def report(
     folder: Annotated[
@@ -24,4 +26,15 @@ def build_report(folder: Path) -> Path:
     """Write report.html into the folder of a run and return its path."""
     from pestle.report import build
 
-    return Path(build(folder))
+    return build(folder, references=_references(folder))
+
+
+def _references(folder: Path) -> list[str]:
+    """BibTeX for the run's own copy of its case; none if that cannot be read."""
+    from pestle.cli.cite import references
+    from pestle.config import Case
+
+    try:
+        return references(Case.from_file(folder / "case.toml"))
+    except InputError:
+        return []

@@ -11,7 +11,6 @@ from pestle.cli.options import AsJson, CaseFile, Settings, Threads
 from pestle.errors import InputError
 
 if TYPE_CHECKING:
-    from pestle.config import Case
     from pestle.simulation import RunResult
 
 _WRITTEN = (
@@ -49,7 +48,7 @@ def run(
     quiet: Annotated[
         bool, typer.Option("--quiet", "-q", help="No progress, no summary.")
     ] = False,
-) -> int:
+) -> None:
     """Compute a case and write its results and report.
 
     Ctrl-C stops at once and loses nothing: --resume goes on from there.
@@ -68,29 +67,27 @@ def run(
             result = simulation.run(
                 loaded, out=folder, threads=threads, resume=resume, progress=report
             )
+        if str(result.stop_reason) == "interrupted":
+            raise KeyboardInterrupt
     except KeyboardInterrupt:
-        _say_how_to_go_on(case, folder, settings)
+        _say_how_to_go_on(case, folder, threads, settings)
         raise
-    return _finish(loaded, result, as_json=as_json, quiet=quiet)
+    _finish(result, as_json=as_json, quiet=quiet)
 
 
-def _finish(case: "Case", result: "RunResult", *, as_json: bool, quiet: bool) -> int:
-    """Write the report, print the summary, give the exit code."""
-    from pestle.cli import INTERRUPTED
+def _finish(result: "RunResult", *, as_json: bool, quiet: bool) -> None:
+    """Write the report and print the summary."""
     from pestle.cli.printing import duration, print_json, shortened
     from pestle.cli.report import build_report
 
-    if str(result.stop_reason) == "interrupted":
-        if case.source is not None:
-            _say_how_to_go_on(case.source, Path(result.out), None)
-        return INTERRUPTED
     page = build_report(Path(result.out))
     if as_json:
         print_json({**_fields(result), "report": page})
     elif not quiet:
         typer.echo(f"{result.steps} steps in {duration(result.wall_time)}")
+        for warning in result.metrics.get("warnings", ()):
+            typer.echo(f"warning: {warning}")
         typer.echo(f"report: {shortened(page)}")
-    return 0
 
 
 def _fields(result: "RunResult") -> dict[str, object]:
@@ -124,10 +121,13 @@ def _stop_like_ctrl_c(number: int, frame: FrameType | None) -> None:
     signal.raise_signal(signal.SIGINT)
 
 
-def _say_how_to_go_on(case: Path, folder: Path, settings: list[str] | None) -> None:
+def _say_how_to_go_on(
+    case: Path, folder: Path, threads: int | None, settings: list[str] | None
+) -> None:
     import shlex
 
     words = ["pestle", "run", str(case), "--out", str(folder)]
+    words += ["--threads", str(threads)] if threads is not None else []
     for setting in settings or ():
         words += ["--set", setting]
     typer.echo(f"continue with: {shlex.join([*words, '--resume'])}", err=True)
