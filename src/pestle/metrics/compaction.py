@@ -97,7 +97,7 @@ def axial_stress(force: Array, die_radius: float) -> Array:
 
     Examples
     --------
-    >>> float(round(axial_stress(np.array([100.0]), 2e-3)[0]))
+    >>> round(float(axial_stress(np.array([100.0]), 2e-3)[0]))
     7957747
     """
     return np.asarray(force) / (np.pi * die_radius**2)

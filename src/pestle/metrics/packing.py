@@ -174,7 +174,7 @@ def size_distribution(radius: Array) -> SizeDistribution:
     Examples
     --------
     >>> sizes = size_distribution(np.array([1.0, 1.0, 2.0]))
-    >>> sizes.percentile(50.0, by="number"), round(sizes.by_volume[1], 3)
+    >>> sizes.percentile(50.0, by="number"), round(float(sizes.by_volume[1]), 3)
     (2.0, 0.2)
     """
     diameter = np.sort(2.0 * np.asarray(radius, dtype=np.float64))

@@ -89,7 +89,7 @@ def energy_metrics(history: HistoryTable) -> list[Metric]:
             "Work put in",
             work,
             unit="J",
-            definition="Largest sum of the work that walls and gravity did on the powder.",
+            definition="Largest sum of the work of walls and gravity on the powder.",
         )
     ]
     if work > 0.0:

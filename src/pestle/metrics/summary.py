@@ -93,7 +93,8 @@ def _warnings(folder: RunFolder, metrics: tuple[Metric, ...]) -> list[str]:
             "after ejection: the tablet has crumbled or capped."
         )
     for stage in folder.stages:
-        found += [str(text) for text in stage.info.get("warnings", [])]
+        told = stage.info.get("warnings")
+        found += [str(text) for text in told] if isinstance(told, list) else []
     return found
 
 

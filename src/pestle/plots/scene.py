@@ -13,7 +13,7 @@ from pestle.results import Frame
 
 Array = NDArray[np.float64]
 
-POWDER = (0.945, 0.915, 0.865)
+POWDER = (0.965, 0.935, 0.885)
 """Colour of a particle that nothing is known about: cellulose."""
 
 SCALE = ("#f3ecdf", "#f2cf94", "#e69150", "#c4523f", "#7d2748", "#3b1238")
@@ -60,7 +60,7 @@ class View:
 
 @dataclass(frozen=True, slots=True)
 class Picture:
-    """A picture and where the powder's floor centre lies in it.
+    """A picture and what is needed to draw into it.
 
     Parameters
     ----------
@@ -70,15 +70,25 @@ class Picture:
         Size in pixels [-].
     pixel : float
         Size of a pixel [m].
-    floor : tuple of float
-        Pixel (from left, from top) of the centre of the powder's lower face.
+    left, bottom : float
+        Lower left corner in camera coordinates [m].
+    camera : Camera
+        From where it was taken.
     """
 
     png: bytes
     width: int
     height: int
     pixel: float
-    floor: tuple[float, float]
+    left: float
+    bottom: float
+    camera: Camera
+
+    def place(self, point: Array) -> tuple[float, float]:
+        """Pixel (from left, from top) of a point of the world [m]."""
+        x, y, _ = (self.camera.axes @ np.asarray(point)).tolist()
+        up = (y - self.bottom) / self.pixel
+        return (x - self.left) / self.pixel, self.height - up
 
 
 def common_view(
@@ -128,28 +138,22 @@ def picture(
     low, high = _extent(frame, view.camera)
     middle = 0.5 * (low[0] + high[0])
     margin = 0.03 * view.across
-    left, bottom = middle - 0.5 * view.across, low[1] - margin
+    left, bottom = float(middle - 0.5 * view.across), float(low[1] - margin)
     n = view.samples
     window = Window(left, bottom, view.pixels * n, view.lines * n, view.pixel / n)
     bodies, rows = _bodies(frame, view.camera, cut=cut, kept=kept)
     seen = cast(bodies, view.camera, window)
     reach = float(np.median(frame.particles["radius"]))
     shaded = shade(seen, _colours(frame, values, top)[rows], reach=reach, samples=n)
-    floor = _floor(frame) @ view.camera.axes.T
     return Picture(
         _png(shaded),
         view.pixels,
         view.lines,
         view.pixel,
-        ((floor[0] - left) / view.pixel, view.lines - (floor[1] - bottom) / view.pixel),
+        left,
+        bottom,
+        view.camera,
     )
-
-
-def _floor(frame: Frame) -> Array:
-    position, radius = frame.particles["position"], frame.particles["radius"]
-    centre = 0.5 * (position.min(axis=0) + position.max(axis=0))
-    centre[2] = (position[:, 2] - radius).min()
-    return centre
 
 
 def _bodies(
