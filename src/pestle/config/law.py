@@ -5,7 +5,7 @@ from typing import Any, Literal, get_args, get_origin, get_type_hints
 
 from pydantic import Field, PrivateAttr, model_validator
 
-from pestle.config.base import Section, problem, reworded
+from pestle.config.base import Section, problem
 from pestle.errors import InputError, PestleError, did_you_mean
 from pestle.units import to_si
 
@@ -125,6 +125,3 @@ def _option(key: str, raw: Any, field: dataclasses.Field[Any], hint: Any) -> Any
         wanted = words.get(kinds[0], kinds[0].__name__)
         raise problem("wrong-type", f"{key} must be {wanted}", key=(key,))
     return raw
-
-
-__all__ = ["LawSettings", "law_class", "option_fields", "reworded"]

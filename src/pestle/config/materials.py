@@ -4,7 +4,7 @@ from typing import Any
 
 from pydantic import model_validator
 
-from pestle.config.base import Section, problem, reworded
+from pestle.config.base import Section, problem
 from pestle.config.quantities import Density, Flag, Modulus, PoissonRatio, Stress
 from pestle.errors import InputError
 
@@ -78,6 +78,3 @@ class MaterialSettings(Section):
             "a yield stress is usually 0.1-5 % of the modulus",
             key=("yield_stress",),
         )
-
-
-__all__ = ["MaterialSettings", "reworded"]
