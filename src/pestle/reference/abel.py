@@ -18,8 +18,9 @@ def _integral(function: Profile, end: float, *breaks: float) -> float:
     from scipy.integrate import quad
 
     edges = [0.0, *sorted(b for b in breaks if 0.0 < b < end), end]
+    # full_output: round-off near the tolerance is expected and not worth a warning
     return sum(
-        quad(function, low, high, epsabs=0.0, epsrel=2e-13, limit=200)[0]
+        quad(function, low, high, epsabs=0.0, epsrel=1e-12, limit=200, full_output=1)[0]
         for low, high in pairwise(edges)
         if high > low
     )

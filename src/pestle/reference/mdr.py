@@ -249,6 +249,33 @@ def penetration(overlap: float, largest: float, contact: PlasticContact) -> floa
     )
 
 
+def overlap(penetration: float, largest: float, contact: PlasticContact) -> float:
+    """Apparent overlap at a penetration, the inverse of `penetration`.
+
+    Parameters
+    ----------
+    penetration, largest : float
+        Elastic displacement of the indenter and largest apparent overlap [m].
+    contact : PlasticContact
+        Shape at the largest overlap.
+
+    Returns
+    -------
+    float
+        Apparent overlap [m].
+
+    Examples
+    --------
+    >>> k = Constants(1 / 0.91, 1 / 2.6, 1 / 1.2, 0.3, 0.005)
+    >>> c = plastic_contact(0.1, 1.0, area_offset=-0.0027, constants=k)
+    >>> round(overlap(penetration(0.099, 0.1, c), 0.1, c), 12)
+    0.099
+    """
+    height = contact.shape.height
+    factor = 1.0 + 2.0 * contact.correction / height
+    return largest + factor * (penetration - 0.5 * height)
+
+
 class YieldPoint(NamedTuple):
     """First yield of a contact, seen from both sides."""
 

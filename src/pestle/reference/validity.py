@@ -1,8 +1,8 @@
 r"""Where the adhesive MDR contact can be trusted, Appendix F.
 
 Large plastic flow makes the relaxed profile concave near the axis, out to
-`peak_radius`; a contact that breaks inside that ring is described wrongly.  And the plastic zone at
-the edge must stay small against the contact (small-scale yielding, SSY).
+`peak_radius`; a contact that breaks inside that ring is described wrongly.  And the
+plastic zone at the edge must stay small against the contact: small-scale yielding, SSY.
 
 Equation numbers: Zunker and Kamrin, J. Mech. Phys. Solids 183 (2024) 105492.
 """
