@@ -14,7 +14,8 @@ import numpy as np
 from pestle import _jit
 from pestle.laws._base import Geometry, Nothing, Parts
 
-W = 256  # contacts in a block
+BLOCK = 128  # contacts in a block
+W = BLOCK + 8  # length of a scratch row: no power of two, so that rows spread over the cache
 # scratch rows
 DX, D2, VX, OX, RA, RB, MASS, KIND, WEIGHT, WX = 0, 3, 4, 7, 10, 11, 12, 13, 14, 15
 H0 = 18  # history: spring force 3, its stiffness, normal force, energy, damping force
@@ -344,7 +345,7 @@ def make_pair_chunk(
         k = k0
         while k < k1:
             m = 0
-            stop = min(k1, k + W)
+            stop = min(k1, k + BLOCK)
             for n in range(k, stop):
                 s = U(n)
                 a, b = U(pa[s]), U(pb[s])
@@ -465,7 +466,7 @@ def make_wall_chunk(law: Parts, layout: Layout, *, rolling: bool) -> Any:
         k = k0
         while k < k1:
             m = 0
-            stop = min(k1, k + W)
+            stop = min(k1, k + BLOCK)
             for n in range(k, stop):
                 s = U(n)
                 a, w = U(wp[s]), U(ww[s])
