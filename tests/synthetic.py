@@ -342,12 +342,13 @@ def _write_history(path, curves, stages, solid):
     )
     lost = np.maximum.accumulate(work)
     stored = 0.06 * lost.max() * axial / PEAK
-    gravity = 2e-3 * lost.max() * np.minimum(curves["time"] / 3e-4, 1.0)
+    gravity = 2e-3 * lost.max() * (1.0 - np.minimum(curves["time"] / 3e-4, 1.0))
     columns["energy.kinetic [J]"] = 0.002 * lost.max() * np.exp(-curves["time"] / 2e-4)
     columns["energy.stored [J]"] = stored
     columns["energy.gravity [J]"] = gravity
     columns["energy.wall_work [J]"] = work
-    rest = work + gravity - stored - columns["energy.kinetic [J]"]
+    kinetic = columns["energy.kinetic [J]"]
+    rest = work + gravity[0] - gravity - stored - kinetic + kinetic[0]
     for name, share in (("contact_dissipation", 0.68), ("friction", 0.27)):
         columns[f"energy.{name} [J]"] = share * rest
     columns["energy.damping [J]"] = 0.049 * rest
@@ -355,6 +356,9 @@ def _write_history(path, curves, stages, solid):
     columns["relative_density [-]"] = solid / (area * height)
     columns["coordination [-]"] = 5.0 + 4.0 * axial / PEAK
     columns["height [m]"] = height
+    columns["inertial_number [-]"] = np.where(axial > 0, 8e-4, np.nan)
+    columns["imbalance [-]"] = np.full(len(stage), 4e-4)
+    columns["energy.negative_increments [J]"] = zero
     with History(path, list(columns)) as history:
         for row in range(len(stage)):
             if stage[row] in stages:

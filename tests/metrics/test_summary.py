@@ -32,12 +32,12 @@ def summary(run):
         ("axial_transmission", 0.8, 1e-9),
         ("radial_transmission", synthetic.RADIAL_RATIO, 1e-9),
         ("heckel_yield_pressure", synthetic.YIELD_PRESSURE, 1e-6),
-        ("residual_die_wall_stress", synthetic.RESIDUAL, 0.06),
+        ("residual_die_wall_stress", synthetic.RESIDUAL, 0.2),
         ("axial_spring_back", synthetic.AXIAL_SPRING_BACK, 1e-9),
         ("radial_spring_back", synthetic.RADIAL_SPRING_BACK, 1e-9),
         ("particles", 60, 0),
         ("tablet_share", 1.0, 0),
-        ("ledger_residual", 9.4e-4, 0.01),
+        ("ledger_residual", 9.4e-4, 0.02),
     ],
 )
 def test_known_constants_come_back(summary, key, expected, rel):

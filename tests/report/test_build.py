@@ -82,7 +82,14 @@ def test_everything_is_there(text):
         "Time and place",
         "How to cite",
     ]
-    for words in ("Tensile strength", "in-die", "150 MPa", "8.75 GPa", "2 min 23 s"):
+    for words in (
+        "Tensile strength",
+        "in-die",
+        "150 MPa",
+        "8.75 GPa",
+        "2 min 23 s",
+        "Inertial number",
+    ):
         assert words in text
 
 

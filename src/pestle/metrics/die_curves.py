@@ -14,8 +14,12 @@ Array = NDArray[np.float64]
 UPPER, LOWER, DIE = "upper_punch", "lower_punch", "die"
 DENSITY, HEIGHT, TIME = "relative_density [-]", "height [m]", "time [s]"
 
-_FIRST_TOUCH = 0.002
-"""Part of the peak stress at which the punch has met the powder, or left it."""
+FIRST_TOUCH = 0.002
+"""Part of the peak stress at which the punch has met the powder [-]."""
+
+RELEASED = 0.01
+"""Part of the peak stress at which the punch has left it [-]: a last particle that
+sticks out of the tablet does not count."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -68,7 +72,7 @@ class DieCurves:
     @property
     def is_released(self) -> bool:
         """Whether the punch has left the powder after the peak."""
-        return bool(self.axial[self.release] <= _FIRST_TOUCH * self.axial[self.peak])
+        return bool(self.axial[self.release] <= RELEASED * self.axial[self.peak])
 
     def rows_of(self, *kinds: str) -> NDArray[np.int64]:
         """Rows of process steps of these kinds."""
@@ -89,9 +93,8 @@ def die_curves(folder: RunFolder) -> DieCurves | None:
     if not pressed[peak] > 0.0:
         return None
     height = _height(history, case.die.height)
-    threshold = _FIRST_TOUCH * axial[peak]
-    before = np.flatnonzero(axial[: peak + 1] < threshold)
-    after = np.flatnonzero(axial[peak:] <= threshold)
+    before = np.flatnonzero(axial[: peak + 1] < FIRST_TOUCH * axial[peak])
+    after = np.flatnonzero(axial[peak:] <= RELEASED * axial[peak])
     return DieCurves(
         time=history[TIME],
         kinds=kinds,

@@ -3,7 +3,7 @@
 import numpy as np
 
 from pestle.metrics.compaction import ejection_stress, heckel, kawakita, work_of
-from pestle.metrics.die_curves import LOWER, UPPER, DieCurves
+from pestle.metrics.die_curves import LOWER, RELEASED, UPPER, DieCurves
 from pestle.metrics.metric import Group, Metric
 from pestle.results.folder import RunFolder
 
@@ -30,8 +30,8 @@ def pressing_metrics(curves: DieCurves) -> list[Metric]:
             "Relative density at the peak",
             float(curves.density[peak]),
             unit="-",
-            definition="Volume of the particles over the volume between the punches, "
-            "in the die, at the largest axial stress.",
+            definition="True volume of the particles, elastic compression counted, "
+            "over the volume between the punches, at the largest axial stress.",
         ),
         make(
             "peak_transmitted_stress",
@@ -133,8 +133,8 @@ def release_metrics(curves: DieCurves, folder: RunFolder) -> list[Metric]:
                 "Residual die-wall stress",
                 residual,
                 unit="Pa",
-                definition="Radial stress at the moment the upper punch leaves the "
-                "tablet, still in the die.",
+                definition="Radial stress in the die when the upper punch leaves the "
+                f"tablet (its stress has fallen to {100 * RELEASED:g} % of the peak).",
             )
         )
     rows = curves.rows_of("eject")

@@ -1,6 +1,4 @@
-"""Numbers of any run: sizes, contacts, energy."""
-
-import numpy as np
+"""Numbers of any powder: sizes and contacts."""
 
 from pestle.metrics.metric import Group, Metric
 from pestle.metrics.packing import (
@@ -9,12 +7,11 @@ from pestle.metrics.packing import (
     size_distribution,
 )
 from pestle.metrics.tablet_metrics import key_frames
-from pestle.results import Frame, HistoryTable
+from pestle.results import Frame
 from pestle.results.folder import RunFolder
 
 _POWDER = Group("Powder")
 _CONTACTS = Group("Contacts")
-_ENERGY = Group("Energy")
 _MOMENT = {"pressed": "under full load", "ejected": "in the free tablet"}
 
 
@@ -75,38 +72,3 @@ def _contacts(frame: Frame, moment: str, words: str) -> list[Metric]:
             "contacts.",
         ),
     ]
-
-
-def energy_metrics(history: HistoryTable) -> list[Metric]:
-    """Work put in and how well the ledger closes."""
-    if "energy.wall_work [J]" not in history or not len(history):
-        return []
-    work = work_put_in(history)
-    residual = history["energy.residual [J]"]
-    found = [
-        _ENERGY.metric(
-            "work_put_in",
-            "Work put in",
-            work,
-            unit="J",
-            definition="Largest sum of the work of walls and gravity on the powder.",
-        )
-    ]
-    if work > 0.0:
-        found.append(
-            _ENERGY.metric(
-                "ledger_residual",
-                "Ledger residual",
-                float(np.max(np.abs(residual))) / work,
-                unit="-",
-                definition="Largest energy that the ledger cannot account for, over "
-                "the work put in.",
-            )
-        )
-    return found
-
-
-def work_put_in(history: HistoryTable) -> float:
-    """Largest sum of the work of walls and gravity that the run has seen [J]."""
-    total = history["energy.wall_work [J]"] + history["energy.gravity [J]"]
-    return float(np.max(total))

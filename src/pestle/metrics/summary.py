@@ -8,12 +8,19 @@ from typing import Any
 from pestle.metrics.die_curves import DieCurves, die_curves
 from pestle.metrics.die_metrics import fit_metrics, pressing_metrics, release_metrics
 from pestle.metrics.metric import Metric
-from pestle.metrics.powder_metrics import energy_metrics, powder_metrics
+from pestle.metrics.numerics_metrics import energy_metrics, numerics_metrics
+from pestle.metrics.powder_metrics import powder_metrics
 from pestle.metrics.tablet_metrics import tablet_metrics
 from pestle.results.folder import METRICS, RunFolder
 
 LEDGER_LIMIT = 0.005
 """Largest ledger residual over the work put in that passes without a warning [-]."""
+
+INERTIA_LIMIT = 0.01
+"""Largest inertial number while pressing that passes without a warning [-]."""
+
+IMBALANCE_LIMIT = 0.001
+"""Largest imbalance of contacts that passes without a warning [-]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,6 +75,7 @@ def summarise(folder: RunFolder) -> Summary:
     metrics += powder_metrics(folder)
     if folder.history is not None:
         metrics += energy_metrics(folder.history)
+        metrics += numerics_metrics(folder.history, curves)
     known = tuple(metric for metric in metrics if metric.is_known)
     return Summary(known, tuple(_warnings(folder, known)), curves)
 
@@ -80,6 +88,18 @@ def _warnings(folder: RunFolder, metrics: tuple[Metric, ...]) -> list[str]:
         found.append(
             f"The energy ledger misses {100 * residual:.2g} % of the work put in "
             f"(more than {100 * LEDGER_LIMIT:g} %): use a smaller time step."
+        )
+    if value.get("inertial_number", 0.0) > INERTIA_LIMIT:
+        found.append(
+            f"The inertial number reaches {value['inertial_number']:.2g} while "
+            f"pressing (more than {INERTIA_LIMIT:g}): inertia carries a part of the "
+            "stress; use a slower punch or less mass scaling."
+        )
+    if value.get("contact_imbalance", 0.0) > IMBALANCE_LIMIT:
+        found.append(
+            "The two sides of a contact disagree by "
+            f"{100 * value['contact_imbalance']:.2g} % of its force on average (more "
+            f"than {100 * IMBALANCE_LIMIT:g} %): use a smaller time step."
         )
     if value.get("peak_relative_density", 0.0) >= 1.0:
         found.append(

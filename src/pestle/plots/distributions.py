@@ -121,6 +121,7 @@ def _forces(axes: "Axes", frames: dict[str, Frame]) -> None:
     axes.text(0.1, 0.02, "push", transform=axes.get_xaxis_transform(), color=MUTED)
     axes.set_xlim(min(axes.get_xlim()[0], -0.9), axes.get_xlim()[1])
     axes.set_yscale("log")
+    axes.set_ylim(top=5.0 * axes.get_ylim()[1])
     axes.set_xlabel("normal force / mean |F| [-]")
     axes.set_ylabel("probability density [-]")
     axes.legend(loc="upper right")

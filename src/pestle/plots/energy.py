@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pestle.metrics.numerics_metrics import put_in
 from pestle.plots.style import (
     BLUE,
     GREEN,
@@ -31,27 +32,36 @@ _SINKS = (
 )
 
 
-def energy_ledger(history: HistoryTable) -> "Figure":
-    """Work put in (line) against where it is (areas), and what is missing."""
+def energy_ledger(history: HistoryTable, start: int = 0) -> "Figure":
+    """Energy put in (line) against where it is (areas), and what is missing.
+
+    Parameters
+    ----------
+    history : HistoryTable
+        The history.
+    start : int
+        First row that is shown: the end of a long filling, for example.
+    """
     with style():
         figure = new_figure(9.2, 4.2)
         upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=[3.4, 1.0])
-        time = history["time [s]"] / MILLI
-        put_in = history["energy.wall_work [J]"] + history["energy.gravity [J]"]
-        scale, unit = _unit(float(np.max(np.abs(put_in), initial=0.0)))
-        parts = [history[f"energy.{name} [J]"] for name, *_ in _SINKS]
-        _stack(upper, time, parts, scale)
-        upper.plot(time, put_in / scale, color=INK, label="work put in")
+        work = put_in(history)
+        time = (history["time [s]"] - history["time [s]"][start]) / MILLI
+        scale, unit = _unit(float(np.max(np.abs(work), initial=0.0)))
+        parts = [history[f"energy.{name} [J]"][start:] for name, *_ in _SINKS]
+        _stack(upper, time[start:], parts, scale)
+        upper.plot(time[start:], work[start:] / scale, color=INK, label="put in")
         upper.set_ylabel(f"energy [{unit}]")
         upper.legend(loc="upper left", ncols=2)
         title(lower, "What the ledger cannot account for")
-        largest = max(float(np.max(np.abs(put_in))), 1e-300)
-        residual = 100.0 * history["energy.residual [J]"] / largest
-        lower.plot(time, residual, color=RED)
+        largest = max(float(np.max(np.abs(work))), 1e-300)
+        residual = 100.0 * history["energy.residual [J]"][start:] / largest
+        lower.plot(time[start:], residual, color=RED)
         lower.axhline(0.0, color=INK, linewidth=0.6)
         lower.set_ylabel("% of work")
-        lower.set_xlabel("time [ms]")
-        lower.set_xlim(time[0], time[-1])
+        lower.set_xlabel("time after filling [ms]" if start else "time [ms]")
+        if time[-1] > time[start]:
+            lower.set_xlim(time[start], time[-1])
         return figure
 
 

@@ -42,7 +42,7 @@ def _over_time(axes: "Axes", curves: DieCurves) -> None:
     title(axes, "Stresses over time")
     last = _last_row(curves)
     rows = np.arange(max(curves.touch - 5, 0), last + 1)
-    time = curves.time[rows] / MILLI
+    time = (curves.time[rows] - curves.time[curves.touch]) / MILLI
     mark_stages(axes, time, [curves.kinds[row] for row in rows])
     series = (
         (curves.axial, ORANGE, "upper punch"),
@@ -52,7 +52,7 @@ def _over_time(axes: "Axes", curves: DieCurves) -> None:
     for stress, colour, label in series:
         if np.isfinite(stress[rows]).any():
             axes.plot(time, stress[rows] / MEGA, color=colour, label=label)
-    axes.set_xlabel("time [ms]")
+    axes.set_xlabel("time since the punch met the powder [ms]")
     axes.set_ylabel("stress [MPa]")
     axes.set_xlim(time[0], time[-1])
     low, high = axes.get_ylim()

@@ -179,7 +179,7 @@ def _figures(run: RunFolder, summary: Summary) -> dict[str, str]:
     elif run.history is not None and len(run.history):
         drawn["walls"] = plots.wall_forces(run.history)
     if run.history is not None and summary.value("work_put_in") is not None:
-        drawn["energy"] = plots.energy_ledger(run.history)
+        drawn["energy"] = plots.energy_ledger(run.history, _after_filling(run))
     frames = key_frames(run)
     if run.results is not None and frames:
         chosen = {key: run.results[number] for key, number in frames.items()}
@@ -189,10 +189,18 @@ def _figures(run: RunFolder, summary: Summary) -> dict[str, str]:
     }
 
 
+def _after_filling(run: RunFolder) -> int:
+    """First row of the history after filling; 0 if nothing else happened."""
+    assert run.history is not None
+    kinds = [run.kind_of(stage) for stage in run.history.stages]
+    later = [row for row, kind in enumerate(kinds) if kind != "fill"]
+    return later[0] if later else 0
+
+
 def _stages(run: RunFolder) -> list[dict[str, str]]:
     rows = []
     for stage in run.stages:
-        wall = _seconds(stage.info.get("wall_time_s"))
+        wall = _number(stage.info.get("wall_time_s"))
         rows.append(
             {
                 "name": stage.name,
@@ -200,7 +208,7 @@ def _stages(run: RunFolder) -> list[dict[str, str]]:
                 "steps": f"{stage.end_step - stage.start_step:,}",
                 "time": with_unit(stage.end_time - stage.start_time, "s", 3),
                 "reason": stage.end_reason,
-                "wall": duration(wall) if wall is not None else "—",
+                "wall": duration(wall) if wall is not None else "",
             }
         )
     return rows
@@ -213,13 +221,19 @@ def _timing(run: RunFolder) -> list[tuple[str, str]]:
     if not isinstance(machine, dict):
         machine = {}
     rows = []
-    times = [_seconds(stage.info.get("wall_time_s")) for stage in run.stages]
+    times = [_number(stage.info.get("wall_time_s")) for stage in run.stages]
     known = [seconds for seconds in times if seconds is not None]
-    wall = _seconds(record.get("wall_time_s")) or sum(known)
+    wall = _number(record.get("wall_time_s")) or sum(known)
     if wall:
         rows.append(("computing time", duration(wall)))
     if run.stages:
         last = run.stages[-1]
+        particles = _number(record.get("particles"))
+        if wall and particles:
+            rate = particles * last.end_step / wall
+            rows.append(
+                ("speed", f"{rate / 1e6:.3g} million particle-steps per second")
+            )
         rows.append(("simulated time", with_unit(last.end_time, "s", 3)))
         rows.append(("steps", f"{last.end_step:,}"))
     for label, value in (
@@ -238,8 +252,8 @@ def _timing(run: RunFolder) -> list[tuple[str, str]]:
     return rows
 
 
-def _seconds(value: object) -> float | None:
-    """A time [s] from a file, None if it is none."""
+def _number(value: object) -> float | None:
+    """A time [s] or count from a file, None if it is none."""
     if isinstance(value, int | float) and 0.0 <= value < 1e12:
         return float(value)
     return None

@@ -17,6 +17,8 @@ _PERCENT = {
     "axial_spring_back",
     "radial_spring_back",
     "ledger_residual",
+    "contact_imbalance",
+    "negative_dissipation",
     "tablet_share",
     "work_recovered",
     "contact_area_fraction_pressed",

@@ -201,9 +201,10 @@ def _moment(frame: Frame, curves: DieCurves | None) -> str:
     if curves is None:
         return f"{frame.stage}, {with_unit(frame.time, 's', 3)}"
     stress = float(np.interp(frame.time, curves.time, curves.axial)) / 1e6
-    text = f"{frame.stage} · {max(stress, 0.0):.0f} MPa"
-    if frame.time <= curves.time[curves.release]:
-        text += f" · D = {np.interp(frame.time, curves.time, curves.density):.3f}"
+    text = f"{frame.stage} · {abs(max(stress, 0.0)):.0f} MPa"
+    density = float(np.interp(frame.time, curves.time, curves.density))
+    if frame.time <= curves.time[curves.release] and np.isfinite(density):
+        text += f" · D = {density:.3f}"
     return text
 
 
