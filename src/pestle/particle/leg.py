@@ -119,16 +119,16 @@ class Leg:
         first, small = point.growth, 1e-7 * self.initial_radius
         most = 2.0 * self.resolution.step * self.initial_radius
         slope = (rise(first + small) - fall) / small
-        if slope <= 0.0 or -fall > slope * most:
-            return None
-        for factor in (1.25, 2.5):
-            bound = first - factor * fall / slope
-            if rise(bound) >= 0.0:
+        guess = -1.25 * fall / slope if slope > 0.0 else inf
+        while guess <= most:
+            if rise(first + guess) >= 0.0:
                 from scipy.optimize import brentq
 
                 tiny = 1e-17 * self.initial_radius
+                bound = first + guess
                 growth = brentq(rise, first, bound, xtol=tiny, rtol=1e-15)
                 return self.at(point, s, growth)
+            guess *= 2.0
         return None
 
     def at(self, point: Point, s: float, growth: float) -> Point:

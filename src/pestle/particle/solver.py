@@ -14,6 +14,7 @@ energy), "frozen" never.
 
 import warnings
 from collections.abc import Iterable, Sequence
+from math import inf
 from typing import get_args
 
 from pestle.errors import InputError, did_you_mean
@@ -136,13 +137,14 @@ class Particle:
                 hint="give one displacement for each group of flats",
             )
         target = tuple(float(d) for d in displacements)
-        if not max(target) < self.initial_radius:
-            raise InputError(
-                "flat-beyond-centre",
-                f"a displacement of {max(target):.6g} m reaches the centre of a "
-                f"particle of radius {self.initial_radius:.6g} m",
-                hint="displacements stay below the initial radius",
-            )
+        for d in target:
+            if not -inf < d < self.initial_radius:
+                raise InputError(
+                    "flat-beyond-centre",
+                    f"a displacement of {d:.6g} m is not possible for a particle of "
+                    f"radius {self.initial_radius:.6g} m",
+                    hint="displacements are finite and below the initial radius",
+                )
         leg = Leg(self, self._point.displacements, target)
         self._point = leg.run(self._point)
         return self.state
