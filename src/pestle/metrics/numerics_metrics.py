@@ -102,12 +102,12 @@ def numerics_metrics(history: HistoryTable, curves: DieCurves | None) -> list[Me
         share = abs(float(history[column][-1])) / work
         definition = (
             "Sum of all negative dissipation increments over the work put in: energy "
-            "that a contact law made from nothing."
+            "that contacts have given back beyond what they had stored."
         )
         found.append(
             make(
                 "negative_dissipation",
-                "Energy from nothing",
+                "Negative dissipation",
                 share,
                 unit="-",
                 definition=definition,

@@ -22,6 +22,9 @@ INERTIA_LIMIT = 0.01
 IMBALANCE_LIMIT = 0.001
 """Largest imbalance of contacts that passes without a warning [-]."""
 
+NEGATIVE_LIMIT = 0.01
+"""Largest sum of negative dissipation that passes without a warning [-]."""
+
 
 @dataclass(frozen=True, slots=True)
 class Summary:
@@ -100,6 +103,12 @@ def _warnings(folder: RunFolder, metrics: tuple[Metric, ...]) -> list[str]:
             "The two sides of a contact disagree by "
             f"{100 * value['contact_imbalance']:.2g} % of its force on average (more "
             f"than {100 * IMBALANCE_LIMIT:g} %): use a smaller time step."
+        )
+    if value.get("negative_dissipation", 0.0) > NEGATIVE_LIMIT:
+        found.append(
+            "Contacts have given back more energy than they had stored: the negative "
+            f"dissipation increments add up to {100 * value['negative_dissipation']:.2g}"
+            " % of the work put in."
         )
     if value.get("peak_relative_density", 0.0) >= 1.0:
         found.append(

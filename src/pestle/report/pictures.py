@@ -29,6 +29,7 @@ _TITLES = {
 }
 _STATES = {"filled": ("Start", "first frame"), "pressed": ("Densest", "most pressed")}
 _FILM_FRAMES = 18
+_CUT_FROM = 40  # fewer particles are not worth cutting open in the film
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,8 +190,9 @@ def _film(
         if number > last and kinds[number] in ("unload", "eject", "relax"):
             change = spring_back(pressed, frame)
             kept = kept_wall_facets(pressed, frame, change.rotation)
+        many = len(frame.particles["id"]) >= _CUT_FROM
         shot = picture(
-            frame, small, values=_stress(frame), top=top, cut=True, kept=kept
+            frame, small, values=_stress(frame), top=top, cut=many, kept=kept
         )
         stills.append(Still(_data_url(shot), _moment(frame, curves)))
     return stills
