@@ -65,7 +65,11 @@ def _drop(
                     for s_ in range(max(c - 1, 0), min(c + 2, nz)):
                         j = head[p, q, s_]
                         while j >= 0:
-                            dx, dy, dz = x - place[j, 0], y - place[j, 1], z - place[j, 2]
+                            dx, dy, dz = (
+                                x - place[j, 0],
+                                y - place[j, 1],
+                                z - place[j, 2],
+                            )
                             if dx * dx + dy * dy + dz * dz < (r + radii[j]) ** 2:
                                 fits = False
                                 break
@@ -77,7 +81,9 @@ def _drop(
     return place, n
 
 
-def place_in_die(radii: Array, die_radius: float, random: np.random.Generator) -> tuple[Array, float]:
+def place_in_die(
+    radii: Array, die_radius: float, random: np.random.Generator
+) -> tuple[Array, float]:
     """Place spheres at random in a cylinder on z = 0, as high as it takes.
 
     Parameters
@@ -109,7 +115,9 @@ def place_in_die(radii: Array, die_radius: float, random: np.random.Generator) -
     while True:
         cell = 2.0 * biggest
         box = np.array([die_radius, die_radius, height])
-        shape = tuple(int(np.ceil(s / cell)) for s in (2 * die_radius, 2 * die_radius, height))
+        shape = tuple(
+            int(np.ceil(s / cell)) for s in (2 * die_radius, 2 * die_radius, height)
+        )
         head, link = np.full(shape, -1, np.int64), np.full(len(radii), -1, np.int64)
         tries = random.random((60 * len(radii) + 1000, 3))
         place, placed = _drop(radii[order], tries, box, True, cell, head, link)

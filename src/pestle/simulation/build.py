@@ -58,7 +58,9 @@ def damping_factor(restitution: float | None, damping_ratio: float | None) -> fl
     return 2.0 * sqrt(5.0 / 6.0) * loss / hypot(loss, pi)
 
 
-def rules_of(case: "Case", names: list[str], adhesive: bool) -> dict[tuple[int, int], PairRule]:
+def rules_of(
+    case: "Case", names: list[str], adhesive: bool
+) -> dict[tuple[int, int], PairRule]:
     """Return the pair rules by indices of `names`."""
     rules = {}
     for b, other in enumerate(names):
@@ -90,12 +92,16 @@ def wall_rows(case: "Case", names: list[str]) -> tuple[list[str], list[Any], lis
         material = float(names.index(case.die.material, 1))
         for name, way in zip(PLATENS, (1.0, -1.0), strict=True):
             found.append(name)
-            rows.append([0.0, 0.0, 0.0, 0.0, way, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, material])
+            rows.append(
+                [0.0, 0.0, 0.0, 0.0, way, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, material]
+            )
             moves.append([way, *[0.0] * (wl.MOVE - 1)])
     return found, rows, moves
 
 
-def make_engine(case: "Case", *, filling: bool = False, softening: float = 1.0) -> tuple[Engine, list[str]]:
+def make_engine(
+    case: "Case", *, filling: bool = False, softening: float = 1.0
+) -> tuple[Engine, list[str]]:
     """Build the engine of a case without particles; return it with its wall names.
 
     While filling the particles are elastic, without adhesion, and softer.

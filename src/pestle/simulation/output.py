@@ -36,7 +36,9 @@ ENERGIES = (
 class Output:
     """Open files of a run; a resumed run forgets what it will write again."""
 
-    def __init__(self, run: "Runner", *, threads: int = 1, after: int | None = None) -> None:
+    def __init__(
+        self, run: "Runner", *, threads: int = 1, after: int | None = None
+    ) -> None:
         folder = run.out
         self.folder = folder
         columns = self._columns(run)
@@ -71,7 +73,13 @@ class Output:
         columns += [f"energy.{part} [J]" for part in ENERGIES]
         columns += ["relative_density [-]", "coordination [-]"]
         columns += [f"{name}.normal_force [N]" for name in run.walls]
-        columns += ["step", "stage", "height [m]", "time_step [s]", "inertial_number [-]"]
+        columns += [
+            "step",
+            "stage",
+            "height [m]",
+            "time_step [s]",
+            "inertial_number [-]",
+        ]
         return [*columns, "energy.negative_increments [J]", "imbalance [-]"]
 
     def row(self, run: "Runner", stage: str) -> None:
@@ -121,7 +129,11 @@ class Output:
         self.stages(run.stages)
         record = provenance.read_provenance(self.folder / "provenance.json")
         taken = float(record.get("wall_time_s") or 0.0) + spent
-        record |= {"wall_time_s": taken, "steps": run.steps, "particles": len(run.engine.pos)}
+        record |= {
+            "wall_time_s": taken,
+            "steps": run.steps,
+            "particles": len(run.engine.pos),
+        }
         provenance.write_provenance(self.folder / "provenance.json", record)
 
     def metrics(self) -> dict[str, Any]:

@@ -95,14 +95,21 @@ def duration(case: "Case", step: Any, column: float) -> float:
     if step.step == "move":
         if step.program is not None:
             return float(step.program[-1][0])
-        way = abs(step.to) if step.turn_at is None else 2.0 * step.turn_at - step.back_to
+        way = (
+            abs(step.to) if step.turn_at is None else 2.0 * step.turn_at - step.back_to
+        )
         return float(way / step.at)
     assert case.die is not None or step.step == "press"
     height = case.die.height if case.die else step.to_displacement
     way = {
-        "press": step.to_displacement if step.step == "press" and step.to_displacement else 0.3 * height,
+        "press": step.to_displacement
+        if step.step == "press" and step.to_displacement
+        else 0.3 * height,
         "unload": 0.05 * height,
         "eject": height,
-        "crush": getattr(step, "to", 0.1) * 2.0 * (case.die.radius if case.die else 0.0) * 0.5,
+        "crush": getattr(step, "to", 0.1)
+        * 2.0
+        * (case.die.radius if case.die else 0.0)
+        * 0.5,
     }.get(step.step, height)
     return float(way / step.at)

@@ -51,13 +51,17 @@ class Runner:
         if case.particles.start_from is not None:
             self._continue_from(case.resolve(case.particles.start_from))
             return
-        self.engine, self.walls = make_engine(case, filling=filling, softening=self.softening)
+        self.engine, self.walls = make_engine(
+            case, filling=filling, softening=self.softening
+        )
         if case.particles.file is not None:
             table = case.read_particles()
             place, radius, density = table.position, table.radius, table.density
         elif case.die is not None and filling:
             random = np.random.default_rng(case.seed)
-            assert case.particles.radius is not None and case.particles.count is not None
+            assert (
+                case.particles.radius is not None and case.particles.count is not None
+            )
             radius = draw_radii(case.particles.radius, case.particles.count, random)
             place, column = place_in_die(radius, case.die.radius, random)
             self.memory["column"] = column
@@ -67,10 +71,13 @@ class Runner:
                 "no-start",
                 "generated particles need a die and a first step 'fill'",
                 "process.0.step",
-                "add [[process]] step = \"fill\" as the first step, or read a file",
+                'add [[process]] step = "fill" as the first step, or read a file',
             )
         self.engine.set_particles(
-            place, radius, np.zeros(len(radius), int), density * case.engine.mass_scaling
+            place,
+            radius,
+            np.zeros(len(radius), int),
+            density * case.engine.mass_scaling,
         )
         if filling:
             self.memory.setdefault("column", float(place[:, 2].max()))
@@ -93,7 +100,9 @@ class Runner:
             if name == "upper_punch":
                 engine.wall[w, wl.ACTIVE] = 0.0
             if name == "die":
-                engine.wall[w, wl.TOP] = max(engine.wall[w, wl.TOP], 1.2 * self.memory["column"])
+                engine.wall[w, wl.TOP] = max(
+                    engine.wall[w, wl.TOP], 1.2 * self.memory["column"]
+                )
 
     def _continue_from(self, folder: Path) -> None:
         """Start from the last state of an earlier run."""
@@ -104,7 +113,9 @@ class Runner:
         radius = arrays["field"][order, 0] if multi else arrays["pos"][order, 3]
         mass = arrays["vel"][order, 3]
         density = mass / (4.0 / 3.0 * np.pi * radius**3)
-        self.engine.set_particles(arrays["pos"][order, :3], radius, np.zeros(len(order), int), density)
+        self.engine.set_particles(
+            arrays["pos"][order, :3], radius, np.zeros(len(order), int), density
+        )
         self.engine.vel[:, :3] = arrays["vel"][order][self.engine.ids - 1, :3]
         same_law = facts.get("law") == self.case.canonical_law()
         if same_law and facts.get("walls") == self.walls:
@@ -183,7 +194,9 @@ class Runner:
         x = self.engine.pos[:, :3]
         centre = np.median(x, axis=0)
         far = np.abs(x - centre)
-        return np.all(far <= 3.0 * np.median(far, axis=0) + self.engine.pos[:, 3:4], axis=1)
+        return np.all(
+            far <= 3.0 * np.median(far, axis=0) + self.engine.pos[:, 3:4], axis=1
+        )
 
     @property
     def steps(self) -> int:
@@ -268,7 +281,9 @@ class Runner:
                 return False
             quiet = settings.history_every - self.steps % settings.history_every
             due = settings.checkpoint_every - self.steps % settings.checkpoint_every
-            chunk = min(quiet, due, max(int(0.2 * self.speed), 1) if self.speed else quiet)
+            chunk = min(
+                quiet, due, max(int(0.2 * self.speed), 1) if self.speed else quiet
+            )
             begin = time.perf_counter()
             first = self.engine.steps
             why = self.engine.advance(chunk)
@@ -407,7 +422,11 @@ class Runner:
                 "resume with the same case and --set values, or run anew with another --out",
             )
         self.stage, self.phase = facts["stage"], facts["phase"]
-        self.before, self.memory, self.stages = facts["before"], facts["memory"], facts["stages"]
+        self.before, self.memory, self.stages = (
+            facts["before"],
+            facts["memory"],
+            facts["stages"],
+        )
         self.engine, self.walls = make_engine(
             self.case, filling=facts["soft"], softening=self.softening
         )

@@ -37,7 +37,9 @@ def displacement(run: "Runner", wall: int) -> float:
     return float(run.engine.move[wall, wl.DISPLACEMENT])
 
 
-def target_force(run: "Runner", step: Any, stress: float | None, force: float | None) -> float | None:
+def target_force(
+    run: "Runner", step: Any, stress: float | None, force: float | None
+) -> float | None:
     """Punch force of a target stress or force [N]."""
     if stress is not None:
         if run.case.die is None:

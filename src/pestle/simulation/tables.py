@@ -75,7 +75,10 @@ def contact_table(engine: "Engine") -> dict[str, Array]:
     s = np.flatnonzero((engine.wflag & 1 != 0) & (engine.whist[:, 4] != 0.0))
     p, w = engine.wp[s], engine.ww[s]
     vector = np.array(
-        [towards_wall(*engine.pos[i, :3], engine.wall, j) for i, j in zip(p, w, strict=True)]
+        [
+            towards_wall(*engine.pos[i, :3], engine.wall, j)
+            for i, j in zip(p, w, strict=True)
+        ]
     ).reshape(-1, 3)
     kind = engine.mat[p] * solids + engine.wall[w, wl.MATERIAL].astype(np.int64)
     walls = _contact_columns(engine, engine.whist[s], kind, np.ones(len(s)), vector)

@@ -39,7 +39,9 @@ def failure(run: "Runner", why: int) -> SimulationError:
             "a wall moves too fast, the step is too large, or the powder is pressed "
             "beyond what the law describes; " + kept,
         )
-    bad = np.flatnonzero(~np.isfinite(e.pos).all(axis=1) | ~np.isfinite(e.vel).all(axis=1))
+    bad = np.flatnonzero(
+        ~np.isfinite(e.pos).all(axis=1) | ~np.isfinite(e.vel).all(axis=1)
+    )
     names = ", ".join(str(int(i)) for i in e.ids[bad[:5]])
     return SimulationError(
         "not-finite",
