@@ -60,7 +60,10 @@ work_of_adhesion = 0
 [particles]
 material = "powder"
 count = {count}
-radius = {{ distribution = "normal", mean = "{radius} um", deviation = "{deviation} um" }}
+[particles.radius]
+distribution = "normal"
+mean = "{radius} um"
+deviation = "{deviation} um"
 
 [die]
 radius = "1 mm"
@@ -274,8 +277,10 @@ def _curves(length):
     rows = {}
     pressure = PEAK * np.linspace(0.0, 1.0, 300) ** 2
     press_height = np.concatenate(
-        [np.linspace(start, length / density_of(0.0), 30)[:-1]]
-        + [length / density_of(pressure)]
+        [
+            np.linspace(start, length / density_of(0.0), 30)[:-1],
+            length / density_of(pressure),
+        ]
     )
     press_axial = np.concatenate([np.zeros(29), pressure])
     bottom = press_height[-1]
@@ -294,7 +299,12 @@ def _curves(length):
                 np.full(10, RESIDUAL),
             ),
         ),
-        ("eject", np.full(80, bottom * 1.1), np.zeros(80), np.linspace(RESIDUAL, 0, 80)),
+        (
+            "eject",
+            np.full(80, bottom * 1.1),
+            np.zeros(80),
+            np.linspace(RESIDUAL, 0.0, 80),
+        ),
         ("relax", np.full(10, bottom * 1.1), np.zeros(10), np.zeros(10)),
         ("crush", np.full(60, bottom * 1.1), np.zeros(60), np.zeros(60)),
     ]

@@ -30,6 +30,8 @@ class DieCurves:
     ----------
     time : ndarray
         Simulated time [s].
+    stages : tuple of str
+        Name of the process stage of every row.
     kinds : tuple of str
         Kind of process step of every row.
     axial, transmitted : ndarray
@@ -47,6 +49,7 @@ class DieCurves:
     """
 
     time: Array
+    stages: tuple[str, ...]
     kinds: tuple[str, ...]
     axial: Array
     transmitted: Array
@@ -97,6 +100,7 @@ def die_curves(folder: RunFolder) -> DieCurves | None:
     after = np.flatnonzero(axial[peak:] <= RELEASED * axial[peak])
     return DieCurves(
         time=history[TIME],
+        stages=history.stages,
         kinds=kinds,
         axial=axial,
         transmitted=axial_stress(history[f"{LOWER}.force_z [N]"], radius),

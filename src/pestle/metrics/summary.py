@@ -107,8 +107,8 @@ def _warnings(folder: RunFolder, metrics: tuple[Metric, ...]) -> list[str]:
     if value.get("negative_dissipation", 0.0) > NEGATIVE_LIMIT:
         found.append(
             "Contacts have given back more energy than they had stored: the negative "
-            f"dissipation increments add up to {100 * value['negative_dissipation']:.2g}"
-            " % of the work put in."
+            "dissipation increments add up to "
+            f"{100 * value['negative_dissipation']:.3g} % of the work put in."
         )
     if value.get("peak_relative_density", 0.0) >= 1.0:
         found.append(

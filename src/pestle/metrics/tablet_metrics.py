@@ -33,7 +33,11 @@ def key_frames(folder: RunFolder) -> dict[str, int]:
         found["filled"] = max(pressing[0] - 1, 0)
         found["pressed"] = pressing[-1]
     else:
-        found |= {"filled": 0, "pressed": _densest(folder)}
+        densest = _densest(folder)
+        before = [
+            n for n in range(densest) if results.stages[n] != results.stages[densest]
+        ]
+        found |= {"filled": before[-1] if before else 0, "pressed": densest}
     ejecting = [n for n, kind in enumerate(kinds) if kind == "eject"]
     for moment, names in (("released", ("unload",)), ("crushed", ("crush",))):
         rows = [n for n, kind in enumerate(kinds) if kind in names]
@@ -56,8 +60,8 @@ def _densest(folder: RunFolder) -> int:
         return len(folder.results) - 1
     density = folder.history["relative_density [-]"]
     step = folder.history["step"]
-    at = np.interp(folder.results.steps, step, density)
-    return int(np.argmax(at)) if np.isfinite(at).all() else len(folder.results) - 1
+    at = np.interp(folder.results.steps, step, np.nan_to_num(density))
+    return int(np.argmax(at)) if at.any() else len(folder.results) - 1
 
 
 def tablet_metrics(curves: DieCurves, folder: RunFolder) -> list[Metric]:

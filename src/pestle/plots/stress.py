@@ -8,7 +8,6 @@ from pestle.metrics.die_curves import DieCurves
 from pestle.plots.style import (
     BLUE,
     INK,
-    MEGA,
     MILLI,
     MUTED,
     ORANGE,
@@ -16,6 +15,7 @@ from pestle.plots.style import (
     literal,
     new_figure,
     stage_colour,
+    stress_unit,
     style,
     title,
 )
@@ -40,10 +40,11 @@ def stress_paths(curves: DieCurves) -> "Figure":
 
 def _over_time(axes: "Axes", curves: DieCurves) -> None:
     title(axes, "Stresses over time")
+    unit, name = stress_unit(float(curves.axial[curves.peak]))
     last = _last_row(curves)
     rows = np.arange(max(curves.touch - 5, 0), last + 1)
     time = (curves.time[rows] - curves.time[curves.touch]) / MILLI
-    mark_stages(axes, time, [curves.kinds[row] for row in rows])
+    mark_stages(axes, time, [(curves.stages[row], curves.kinds[row]) for row in rows])
     series = (
         (curves.axial, ORANGE, "upper punch"),
         (curves.transmitted, BLUE, "lower punch"),
@@ -51,13 +52,13 @@ def _over_time(axes: "Axes", curves: DieCurves) -> None:
     )
     for stress, colour, label in series:
         if np.isfinite(stress[rows]).any():
-            axes.plot(time, stress[rows] / MEGA, color=colour, label=label)
+            axes.plot(time, stress[rows] / unit, color=colour, label=label)
     axes.set_xlabel("time since the punch met the powder [ms]")
-    axes.set_ylabel("stress [MPa]")
+    axes.set_ylabel(f"stress [{name}]")
     axes.set_xlim(time[0], time[-1])
     low, high = axes.get_ylim()
     axes.set_ylim(low, high + 0.08 * (high - low))
-    axes.legend(loc="upper left", bbox_to_anchor=(0.0, 0.93))
+    axes.legend(loc="best")
 
 
 def _last_row(curves: DieCurves) -> int:
@@ -77,19 +78,20 @@ def _wall(curves: DieCurves) -> np.ndarray:
     return wall
 
 
-def mark_stages(axes: "Axes", time: np.ndarray, kinds: list[str]) -> None:
-    """Shade the stages of the process and name them along the top."""
-    changes = [0, *[n for n in range(1, len(kinds)) if kinds[n] != kinds[n - 1]]]
-    ends = [*changes[1:], len(kinds) - 1]
+def mark_stages(axes: "Axes", time: np.ndarray, stages: list[tuple[str, str]]) -> None:
+    """Shade the stages (name, kind) of the process and name them along the top."""
+    changes = [0, *[n for n in range(1, len(stages)) if stages[n] != stages[n - 1]]]
+    ends = [*changes[1:], len(stages) - 1]
     whole = time[-1] - time[0]
     for start, end in zip(changes, ends, strict=True):
-        colour = stage_colour(kinds[start])
+        name, kind = stages[start]
+        colour = stage_colour(kind, name)
         axes.axvspan(time[start], time[end], color=colour, alpha=0.07, linewidth=0)
         if time[end] - time[start] > 0.07 * whole:
             axes.text(
                 0.5 * (time[start] + time[end]),
                 0.985,
-                literal(kinds[start]),
+                literal(name),
                 transform=axes.get_xaxis_transform(),
                 ha="center",
                 va="top",
@@ -100,6 +102,7 @@ def mark_stages(axes: "Axes", time: np.ndarray, kinds: list[str]) -> None:
 
 def _path(axes: "Axes", curves: DieCurves) -> None:
     title(axes, "Stress path in the die")
+    unit, name = stress_unit(float(curves.axial[curves.peak]))
     parts = (
         (np.arange(curves.touch, curves.peak + 1), "press", "loading"),
         (curves.unloading, "unload", "unloading"),
@@ -107,12 +110,12 @@ def _path(axes: "Axes", curves: DieCurves) -> None:
     for rows, kind, label in parts:
         if len(rows) > 1:
             axes.plot(
-                curves.axial[rows] / MEGA,
-                curves.radial[rows] / MEGA,
+                curves.axial[rows] / unit,
+                curves.radial[rows] / unit,
                 color=stage_colour(kind),
                 label=label,
             )
-    peak = np.array([0.0, curves.axial[curves.peak] / MEGA])
+    peak = np.array([0.0, curves.axial[curves.peak] / unit])
     axes.plot(peak, peak, color=MUTED, linewidth=1, linestyle=(0, (4, 3)))
     axes.text(
         0.72 * peak[1],
@@ -123,7 +126,7 @@ def _path(axes: "Axes", curves: DieCurves) -> None:
         ha="right",
     )
     if curves.is_released and curves.release > curves.peak:
-        stress = curves.radial[curves.release] / MEGA
+        stress = curves.radial[curves.release] / unit
         axes.plot(
             0.0,
             stress,
@@ -132,10 +135,10 @@ def _path(axes: "Axes", curves: DieCurves) -> None:
             markersize=4.5,
             clip_on=False,
             zorder=5,
-            label=f"residual, {stress:.1f} MPa",
+            label=f"residual, {stress:.3g} {name}",
         )
-    axes.set_xlabel("axial stress [MPa]")
-    axes.set_ylabel("radial stress [MPa]")
+    axes.set_xlabel(f"axial stress [{name}]")
+    axes.set_ylabel(f"radial stress [{name}]")
     axes.set_xlim(left=0.0)
     axes.set_ylim(bottom=0.0)
     axes.legend(loc="upper left", bbox_to_anchor=(0.0, 0.97))

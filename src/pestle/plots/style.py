@@ -52,7 +52,7 @@ STAGE_COLOURS = {
 }
 """Colour of each kind of process step."""
 
-MEGA, MILLI, MICRO = 1e6, 1e-3, 1e-6
+MILLI, MICRO = 1e-3, 1e-6
 
 
 @contextmanager
@@ -72,9 +72,23 @@ def new_figure(width: float = 6.4, height: float = 4.0) -> "Figure":
     return Figure(figsize=(width, height), layout="constrained")
 
 
-def stage_colour(kind: str) -> str:
-    """Colour of a kind of process step."""
-    return STAGE_COLOURS.get(kind, MUTED)
+def stage_colour(kind: str, name: str = "") -> str:
+    """Colour of a kind of process step; its name decides where the kind does not."""
+    return STAGE_COLOURS.get(kind, STAGE_COLOURS.get(name, MUTED))
+
+
+def stress_unit(largest: float) -> tuple[float, str]:
+    """Unit [Pa] that suits stresses up to the largest, and its name.
+
+    Examples
+    --------
+    >>> stress_unit(1.5e8)
+    (1000000.0, 'MPa')
+    """
+    for unit, name in ((1e6, "MPa"), (1e3, "kPa")):
+        if largest >= 2.0 * unit:
+            return unit, name
+    return 1.0, "Pa"
 
 
 def literal(text: str) -> str:

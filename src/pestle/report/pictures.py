@@ -17,6 +17,7 @@ from pestle.plots.scene import (
     kept_wall_facets,
     picture,
 )
+from pestle.plots.style import stress_unit
 from pestle.report.numbers import with_unit
 from pestle.results import Frame
 from pestle.results.folder import RunFolder
@@ -119,8 +120,8 @@ def _shot(
         kept = kept_wall_facets(frames["pressed"], frame, change.rotation)
     outside = picture(frame, view, kept=kept)
     inside = picture(frame, view, values=_stress(frame), top=top, cut=True, kept=kept)
-    has_press = any(folder.kind_of(stage.name) == "press" for stage in folder.stages)
-    title, caption = _TITLES[key] if has_press else _STATES.get(key, _TITLES[key])
+    in_die = folder.case is not None and folder.case.die is not None
+    title, caption = _TITLES[key] if in_die else _STATES.get(key, _TITLES[key])
     die = _die(folder, view, outside, frame) if key in ("filled", "pressed") else None
     return Shot(
         key,
@@ -202,8 +203,9 @@ def _moment(frame: Frame, curves: DieCurves | None) -> str:
     """Stage, stress and density of a frame in one line."""
     if curves is None:
         return f"{frame.stage}, {with_unit(frame.time, 's', 3)}"
-    stress = float(np.interp(frame.time, curves.time, curves.axial)) / 1e6
-    text = f"{frame.stage} · {abs(max(stress, 0.0)):.0f} MPa"
+    stress = float(np.interp(frame.time, curves.time, curves.axial))
+    unit, name = stress_unit(float(curves.axial[curves.peak]))
+    text = f"{frame.stage} · {abs(max(stress, 0.0)) / unit:.0f} {name}"
     density = float(np.interp(frame.time, curves.time, curves.density))
     if frame.time <= curves.time[curves.release] and np.isfinite(density):
         text += f" · D = {density:.3f}"
