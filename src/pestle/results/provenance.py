@@ -116,17 +116,20 @@ def write_provenance(path: Path, record: Mapping[str, Any]) -> None:
 
 def read_provenance(path: Path) -> dict[str, Any]:
     """Read what ``write_provenance`` wrote."""
-    return read_json_object(path, "provenance-damaged")
-
-
-def read_json_object(path: Path, id: str) -> dict[str, Any]:
-    """Read a JSON object, or say under the error `id` why that is impossible."""
     try:
         found = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         raise InputError(
-            id, f"{path.name} cannot be read: {error}", str(path)
+            "provenance-damaged",
+            f"{path.name} cannot be read: {error}",
+            str(path),
+            "continue the run with --resume, or delete the file",
         ) from error
     if not isinstance(found, dict):
-        raise InputError(id, f"{path.name} does not hold a JSON object", str(path))
+        raise InputError(
+            "provenance-damaged",
+            f"{path.name} does not hold a JSON object",
+            str(path),
+            "delete the file: the results file keeps the same record",
+        )
     return found
