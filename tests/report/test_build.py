@@ -138,7 +138,6 @@ def test_metrics_are_written(folder, text):
             {"Compaction curve", "Stresses", "Compressibility", "Energy ledger"},
         ),
         (["case.toml"], {"Compaction curve", "Stresses", "Compressibility"}),
-        (["stages.json"], {"What was done"}),
         (["provenance.json", "stages.json"], {"What was done"}),
     ],
 )
@@ -147,12 +146,8 @@ def test_parts_without_data_are_left_out(copy, missing, gone):
         (copy / name).unlink()
     headings = set(Page(page_of(copy)).headings)
     assert not gone & headings
+    assert ("Wall forces" in headings) == (missing == ["case.toml"])
     assert "How to cite" in headings
-
-
-def test_a_run_without_a_die_shows_its_walls(copy):
-    (copy / "case.toml").unlink()
-    assert "Wall forces" in Page(page_of(copy)).headings
 
 
 def test_a_case_that_cannot_be_read_is_a_warning(copy):
