@@ -46,8 +46,9 @@ def solids_of(case: "Case", softening: float = 1.0) -> tuple[list[Solid], list[s
 def damping_factor(restitution: float | None, damping_ratio: float | None) -> float:
     """Factor c / sqrt(m* k) of the dashpot [-].
 
-    From a restitution e: 2 sqrt(5/6) beta, beta = -ln e / sqrt(ln^2 e + pi^2), exact for
-    Hertz at any speed (Antypov & Elliott, EPL 94 (2011) 50004); else twice the ratio.
+    From a restitution e: 2 sqrt(5/6) beta, beta = -ln e / sqrt(ln^2 e + pi^2), exact
+    for Hertz at any speed (Antypov & Elliott, EPL 94 (2011) 50004); else twice the
+    ratio.
     """
     if damping_ratio is not None:
         return 2.0 * damping_ratio

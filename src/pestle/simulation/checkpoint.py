@@ -15,7 +15,7 @@ VERSION = 1
 
 
 def write(folder: Path, arrays: dict[str, Any], facts: dict[str, Any]) -> None:
-    """Write arrays and plain facts; the earlier checkpoint stays until this is whole."""
+    """Write arrays and plain facts; the earlier file stays until this is whole."""
     draft = folder / (NAME + ".new")
     text = json.dumps({"version": VERSION, **facts})
     with draft.open("wb") as file:

@@ -1,4 +1,4 @@
-"""What is measured at the end of a stage: recovery of the tablet, its crushing force."""
+"""What is measured at the end of a stage: recovery and strength of the tablet."""
 
 from math import pi
 from typing import TYPE_CHECKING, Any

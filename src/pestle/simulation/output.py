@@ -192,7 +192,7 @@ def inertial_number(run: "Runner") -> float:
 
 
 def imbalance(run: "Runner") -> float:
-    """Mean difference of the forces of a contact's two sides over its mean force [-]."""
+    """Mean difference of the forces of a contact's sides over its mean force [-]."""
     e = run.engine
     sums = e.parts.sums._fields  # type: ignore[attr-defined]
     if "imbalance" not in sums:

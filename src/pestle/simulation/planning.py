@@ -38,10 +38,11 @@ def plan(case: "Case") -> Plan:
     """
     from pestle.simulation.build import make_engine
     from pestle.simulation.runner import Runner
+    from pestle.simulation.start import start
 
     with TemporaryDirectory() as folder:
         run = Runner(case, Path(folder))
-        run.start()
+        start(run)
     soft = run.engine
     hard, _ = make_engine(case)
     order = np.argsort(soft.ids)

@@ -12,19 +12,18 @@ import numpy as np
 from pestle.engine import step as st
 from pestle.engine import walls as wl
 from pestle.errors import InputError
-from pestle.packing import draw_radii, place_in_die
 from pestle.simulation import checkpoint
 from pestle.simulation.build import make_engine, yield_needed
+from pestle.simulation.conditions import fraction, reason, tablet_broke, values
 from pestle.simulation.output import Output
 from pestle.simulation.progress import Progress, RunResult, StopReason
 from pestle.simulation.stages import PHASES
+from pestle.simulation.start import softening, start
+from pestle.simulation.threads import set_threads
 from pestle.simulation.watch import check_state, failure
 
 if TYPE_CHECKING:
     from pestle.config import Case
-
-SOFTENING = 1000.0
-"""Modulus of the particles over that of the filling stage, unless the case says."""
 
 Report = Callable[[Progress], None]
 
@@ -42,130 +41,6 @@ class Runner:
         self.speed = 0.0  # steps per second of wall time
         yield_needed(case)
 
-    # -------------------------------------------------------------- set-up
-
-    def start(self) -> None:
-        """Place the particles of a fresh run."""
-        case = self.case
-        filling = case.process[0].step == "fill"
-        if case.particles.start_from is not None:
-            self._continue_from(case.resolve(case.particles.start_from))
-            return
-        self.engine, self.walls = make_engine(
-            case, filling=filling, softening=self.softening
-        )
-        if case.particles.file is not None:
-            table = case.read_particles()
-            place, radius, density = table.position, table.radius, table.density
-        elif case.die is not None and filling:
-            random = np.random.default_rng(case.seed)
-            assert (
-                case.particles.radius is not None and case.particles.count is not None
-            )
-            radius = draw_radii(case.particles.radius, case.particles.count, random)
-            place, column = place_in_die(radius, case.die.radius, random)
-            self.memory["column"] = column
-            density = case.materials[case.particles.material].density
-        else:
-            raise InputError(
-                "no-start",
-                "generated particles need a die and a first step 'fill'",
-                "process.0.step",
-                'add [[process]] step = "fill" as the first step, or read a file',
-            )
-        self.engine.set_particles(
-            place,
-            radius,
-            np.zeros(len(radius), int),
-            density * case.engine.mass_scaling,
-        )
-        if filling:
-            self.memory.setdefault("column", float(place[:, 2].max()))
-            self._open_for_filling()
-        self.engine.start()
-        self._initial_energy()
-
-    @property
-    def softening(self) -> float:
-        """Modulus over that of the filling stage [-]."""
-        for step in self.case.process:
-            if step.step == "fill":
-                return float(getattr(step, "softening", SOFTENING))
-        return 1.0
-
-    def _open_for_filling(self) -> None:
-        """Take the upper punch away and let the die reach above the column."""
-        engine = self.engine
-        for name, w in zip(self.walls, range(len(self.walls)), strict=True):
-            if name == "upper_punch":
-                engine.wall[w, wl.ACTIVE] = 0.0
-            if name == "die":
-                engine.wall[w, wl.TOP] = max(
-                    engine.wall[w, wl.TOP], 1.2 * self.memory["column"]
-                )
-
-    def _continue_from(self, folder: Path) -> None:
-        """Start from the last state of an earlier run."""
-        arrays, facts = checkpoint.read(folder)
-        self.engine, self.walls = make_engine(self.case)
-        order = np.argsort(arrays["ids"])
-        multi = self.engine.layout.fields and arrays["field"].shape[1] > 1
-        radius = arrays["field"][order, 0] if multi else arrays["pos"][order, 3]
-        mass = arrays["vel"][order, 3]
-        density = mass / (4.0 / 3.0 * np.pi * radius**3)
-        self.engine.set_particles(
-            arrays["pos"][order, :3], radius, np.zeros(len(order), int), density
-        )
-        self.engine.vel[:, :3] = arrays["vel"][order][self.engine.ids - 1, :3]
-        same_law = facts.get("law") == self.case.canonical_law()
-        if same_law and facts.get("walls") == self.walls:
-            gravity = self.engine.gravity
-            self.engine.restore(arrays)
-            self.engine.gravity = gravity
-            self.engine.report[0] = 0
-            self.engine.clock[st.TIME] = 0.0
-        self.engine.start()
-        self._initial_energy()
-
-    def harden(self) -> None:
-        """Replace the soft engine of the filling stage by that of the case."""
-        soft = self.engine
-        time_, ids = soft.time, soft.ids
-        order = np.argsort(ids)
-        self.before += soft.steps
-        engine, _ = make_engine(self.case)
-        radius = soft.pos[order, 3]
-        density = soft.vel[order, 3] / (4.0 / 3.0 * np.pi * radius**3)
-        top = float((soft.pos[:, 2] + soft.pos[:, 3]).max())
-        if self.case.die is not None and top > self.case.die.height:
-            raise InputError(
-                "die-too-low",
-                f"the filled powder reaches {top:.4g} m, above the die of {self.case.die.height:.4g} m",
-                "die.height",
-                f"raise die.height above {1.05 * top:.3g} m or use fewer particles",
-            )
-        engine.wall[:, wl.ACTIVE] = soft.wall[:, wl.ACTIVE]
-        engine.clock[st.TIME] = time_
-        engine.set_particles(soft.pos[order, :3], radius, soft.mat[order], density)
-        engine.ids = np.sort(ids)[engine.ids - 1]
-        engine.vel[:, [0, 1, 2, 4, 5, 6]] = soft.vel[order][:, [0, 1, 2, 4, 5, 6]][
-            np.searchsorted(np.sort(ids), engine.ids)
-        ]
-        engine.start()
-        self.engine = engine
-        self._initial_energy()
-
-    def _initial_energy(self) -> None:
-        """Remember the energy that a new engine begins with, for the ledger."""
-        s = self.engine.sums
-        m, g = self.engine.vel[:, 3], self.engine.gravity
-        v, w = self.engine.vel[:, :3], self.engine.vel[:, 4:7]
-        kinetic = 0.5 * float(np.sum(m[:, None] * v * v)) + 0.5 * float(
-            np.sum(self.engine.vel[:, 7][:, None] * w * w)
-        )
-        potential = -float(np.sum(m * (self.engine.pos[:, :3] @ g)))
-        self.memory["energy"] = kinetic + potential + float(s[st.STORED])
-
     # -------------------------------------------------------------- what stages need
 
     def wall(self, name: str) -> int:
@@ -182,8 +57,7 @@ class Runner:
     def lower_to_powder(self, w: int) -> None:
         """Bring the upper punch down to just above the powder, if it is higher."""
         engine = self.engine
-        inside = np.hypot(engine.pos[:, 0], engine.pos[:, 1]) < np.inf
-        top = float((engine.pos[:, 2] + engine.pos[:, 3])[inside].max())
+        top = float((engine.pos[:, 2] + engine.pos[:, 3]).max())
         drop = float(engine.wall[w, 3]) - top - 1e-3 * float(engine.pos[:, 3].mean())
         if drop > 0.0:
             engine.wall[w, 3] -= drop
@@ -218,7 +92,7 @@ class Runner:
                     conditions = phases[self.phase](self, step)
                     self.memory["conditions"] = len(conditions)
                     self.engine.condition = np.array(conditions, float).reshape(-1, 3)
-                    self.memory["from"] = self._where()
+                    self.memory["from"] = values(self)
                 if not self._phase(output, report):
                     self.save(output)
                     return StopReason.INTERRUPTED
@@ -298,77 +172,28 @@ class Runner:
             if at_row:
                 output.row(self, name)
                 check_state(self)
-                if self._fraction() * settings.frames >= self.memory["frames"] + 1:
-                    self.memory["frames"] = int(self._fraction() * settings.frames)
+                if fraction(self) * settings.frames >= self.memory["frames"] + 1:
+                    self.memory["frames"] = int(fraction(self) * settings.frames)
                     output.frame(self, name)
-                if self._broke():
+                if tablet_broke(self):
                     self.memory["reason"] = "the tablet broke"
                     return True
             if why == st.CONDITION:
-                self.memory["reason"] = self._reason(int(self.engine.report[1]))
+                self.memory["reason"] = reason(self, int(self.engine.report[1]))
                 return True
             if self.steps % settings.checkpoint_every == 0:
                 self.save(output)
             if report is not None:
                 report(self.progress(name))
 
-    def _where(self) -> list[float]:
-        """Value of each condition's quantity now."""
-        e, values = self.engine, []
-        for kind, w, _ in e.condition:
-            w = int(w)
-            if kind in (st.FORCE_ABOVE, st.FORCE_BELOW):
-                values.append(float(e.total[w, :3] @ e.move[w, :3]))
-            elif kind in (st.MOVED, st.BACK):
-                values.append(float(e.move[w, wl.DISPLACEMENT]))
-            elif kind == st.UNTIL:
-                values.append(e.time)
-            else:
-                values.append(float(e.sums[st.KINETIC]))
-        return values
-
-    def _fraction(self) -> float:
-        """How far the phase has come, 0 to 1: the farthest of its conditions."""
-        most = 0.0
-        for (kind, _, goal), begun, now in zip(
-            self.engine.condition, self.memory["from"], self._where(), strict=True
-        ):
-            if kind != st.AT_REST and goal != begun:
-                most = max(most, (now - begun) / (goal - begun))
-        phases = len(PHASES[self.case.process[self.stage].step])
-        return float(min((self.phase + min(most, 1.0)) / phases, 1.0))
-
-    def _broke(self) -> bool:
-        """Whether the tablet between the platens carries half of its peak or less."""
-        if self.case.process[self.stage].step != "crush":
-            return False
-        e, w = self.engine, self.wall("platen_left")
-        force = float(e.total[w, :3] @ e.move[w, :3])
-        self.memory["peak"] = max(self.memory["peak"], force)
-        moved = float(e.move[w, wl.DISPLACEMENT])
-        settled = moved > 0.005 * self.memory["crush_diameter"]
-        return settled and force < 0.5 * self.memory["peak"]
-
-    def _reason(self, index: int) -> str:
-        kind, w, value = self.engine.condition[index]
-        name = self.walls[int(w)] if w >= 0 else ""
-        return {
-            st.FORCE_ABOVE: f"{name} reached {value:.6g} N",
-            st.FORCE_BELOW: f"{name} carries no load",
-            st.MOVED: f"{name} reached a displacement of {value:.6g} m",
-            st.BACK: f"{name} is back at a displacement of {value:.6g} m",
-            st.UNTIL: f"time {value:.6g} s",
-            st.AT_REST: "the powder is at rest",
-        }[int(kind)]
-
     def progress(self, name: str) -> Progress:
         """Where the run stands."""
-        e, fraction = self.engine, self._fraction()
+        e, share = self.engine, fraction(self)
         begun = self.stages[-1]["start_step"]
         done = self.steps - begun
         eta = None
-        if 0.0 < fraction < 1.0 and self.speed:
-            eta = done * (1.0 - fraction) / fraction / self.speed
+        if 0.0 < share < 1.0 and self.speed:
+            eta = done * (1.0 - share) / share / self.speed
         stress = None
         if self.case.die is not None and "upper_punch" in self.walls:
             w = self.wall("upper_punch")
@@ -379,7 +204,7 @@ class Runner:
             len(self.case.process),
             self.steps,
             e.time,
-            fraction,
+            share,
             eta,
             stress,
             self.speed * len(e.pos),
@@ -419,7 +244,8 @@ class Runner:
                 "case-changed",
                 f"the case differs from the one that was run in {self.out}",
                 "--resume",
-                "resume with the same case and --set values, or run anew with another --out",
+                "resume with the same case and --set values, or run anew with another "
+                "--out",
             )
         self.stage, self.phase = facts["stage"], facts["phase"]
         self.before, self.memory, self.stages = (
@@ -428,7 +254,7 @@ class Runner:
             facts["stages"],
         )
         self.engine, self.walls = make_engine(
-            self.case, filling=facts["soft"], softening=self.softening
+            self.case, filling=facts["soft"], softening=softening(self.case)
         )
         self.engine.restore(arrays)
         self.engine.condition = arrays["condition"]
@@ -469,24 +295,21 @@ def run(
     SimulationError
         If the run went wrong; what was computed stays readable in `out`.
     """
-    import numba
-
-    if threads is not None:
-        numba.set_num_threads(min(threads, numba.config.NUMBA_NUM_THREADS))
     folder = Path(out)
     folder.mkdir(parents=True, exist_ok=True)
     begin = time.perf_counter()
     runner = Runner(case, folder)
     if resume:
+        set_threads(threads)
         output = Output(runner, after=runner.resume())
     else:
-        runner.start()
-        output = Output(runner, threads=numba.get_num_threads())
+        start(runner)
+        output = Output(runner, threads=set_threads(threads))
     with _Interrupts(runner), output:
-        reason = runner.go(output, progress)
+        stopped = runner.go(output, progress)
     spent = time.perf_counter() - begin
     output.finish(runner, spent)
-    return RunResult(folder, reason, runner.steps, spent, output.metrics())
+    return RunResult(folder, stopped, runner.steps, spent, output.metrics())
 
 
 class _Interrupts:

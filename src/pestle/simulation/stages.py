@@ -13,6 +13,7 @@ import numpy as np
 from pestle.engine import step as st
 from pestle.engine import walls as wl
 from pestle.errors import InputError
+from pestle.simulation.start import harden
 
 if TYPE_CHECKING:
     from pestle.simulation.runner import Runner
@@ -63,7 +64,7 @@ def fill_fall(run: "Runner", step: Any) -> Conditions:
 
 
 def fill_settle(run: "Runner", step: Any) -> Conditions:
-    """Wait until the kinetic energy is a ten-thousandth of a fall through one radius."""
+    """Wait until the kinetic energy is 1e-4 of a fall through one radius."""
     engine = run.engine
     weight = float(engine.vel[:, 3].sum() * np.linalg.norm(engine.gravity))
     rest = 1e-4 * weight * float(engine.pos[:, 3].mean())
@@ -72,7 +73,7 @@ def fill_settle(run: "Runner", step: Any) -> Conditions:
 
 def fill_harden(run: "Runner", step: Any) -> Conditions:
     """Go over to the case's own law and stiffness, and let the overlaps relax."""
-    run.harden()
+    harden(run)
     mean = float(run.engine.pos[:, 3].mean())
     speed = float(np.abs(run.engine.gravity).max() * mean) ** 0.5
     return [until(run, min(0.05 * mean / max(speed, 1e-9), step.max_time))]
@@ -131,7 +132,7 @@ def unload_lift(run: "Runner", step: Any) -> Conditions:
 
 
 def eject_go(run: "Runner", step: Any) -> Conditions:
-    """Take the upper punch away and push with the lower one until flush with the rim."""
+    """Take the upper punch away and push with the lower one up to the rim."""
     run.remove("upper_punch")
     w = run.wall("lower_punch")
     go(run, w, step.at)
@@ -146,7 +147,7 @@ def relax_go(run: "Runner", step: Any) -> Conditions:
 
 
 def crush_go(run: "Runner", step: Any) -> Conditions:
-    """Free the tablet and bring the platens to its sides; each moves at half the speed."""
+    """Free the tablet and bring the platens to its sides, each at half the speed."""
     engine = run.engine
     run.remove("upper_punch")
     run.remove("lower_punch")

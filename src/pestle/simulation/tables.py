@@ -137,7 +137,7 @@ def _span(engine: "Engine", contacts: dict[str, Array], pair: Array) -> Array:
 
 
 def solid_volumes(engine: "Engine") -> Array:
-    """Volume of each particle [m^3]: elastic volume of MDR, else sphere without caps."""
+    """Volume of each particle [m^3]: MDR's elastic volume, else sphere without caps."""
     if engine.parts.particle is not Nothing:
         return engine.field[:, 1]
     r = engine.pos[:, 3]

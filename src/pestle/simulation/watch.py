@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from pestle.simulation.runner import Runner
 
 DRIFT = 0.05
-"""Largest share of the energy put in that the ledger may lack before a run is stopped."""
+"""Share of the energy put in that the ledger may lack before a run is stopped [-]."""
 
 
 def failure(run: "Runner", why: int) -> SimulationError:
@@ -84,10 +84,9 @@ def check_state(run: "Runner") -> None:
                 f"what was computed until then is in {run.out}",
             )
     parts = energies(run)
-    scale = (
-        abs(parts["wall_work"]) + abs(run.memory["energy"]) + parts["contact_dissipation"]
-        + parts["friction"] + parts["damping"] + parts["kinetic"]
-    )  # fmt: skip
+    gone = parts["contact_dissipation"] + parts["friction"] + parts["damping"]
+    given = abs(parts["wall_work"]) + abs(run.memory["energy"])
+    scale = given + gone + parts["kinetic"]
     if abs(parts["residual"]) > DRIFT * scale and e.steps > 100:
         raise SimulationError(
             "energy-from-nothing",

@@ -1,0 +1,64 @@
+"""How far the conditions that end a phase have come, and which one ended it."""
+
+from typing import TYPE_CHECKING
+
+from pestle.engine import step as st
+from pestle.engine import walls as wl
+from pestle.simulation.stages import PHASES
+
+if TYPE_CHECKING:
+    from pestle.simulation.runner import Runner
+
+
+def values(run: "Runner") -> list[float]:
+    """Value of each condition's quantity now."""
+    e, found = run.engine, []
+    for kind, wall, _ in e.condition:
+        w = int(wall)
+        if kind in (st.FORCE_ABOVE, st.FORCE_BELOW):
+            found.append(float(e.total[w, :3] @ e.move[w, :3]))
+        elif kind in (st.MOVED, st.BACK):
+            found.append(float(e.move[w, wl.DISPLACEMENT]))
+        elif kind == st.UNTIL:
+            found.append(e.time)
+        else:
+            found.append(float(e.sums[st.KINETIC]))
+    return found
+
+
+def fraction(run: "Runner") -> float:
+    """How far the stage has come, 0 to 1: the farthest of its phase's conditions."""
+    most = 0.0
+    for (kind, _, goal), begun, now in zip(
+        run.engine.condition, run.memory["from"], values(run), strict=True
+    ):
+        if kind != st.AT_REST and goal != begun:
+            most = max(most, (now - begun) / (goal - begun))
+    phases = len(PHASES[run.case.process[run.stage].step])
+    return float(min((run.phase + min(most, 1.0)) / phases, 1.0))
+
+
+def reason(run: "Runner", index: int) -> str:
+    """Say which condition was met."""
+    kind, w, value = run.engine.condition[index]
+    name = run.walls[int(w)] if w >= 0 else ""
+    return {
+        st.FORCE_ABOVE: f"{name} reached {value:.6g} N",
+        st.FORCE_BELOW: f"{name} carries no load",
+        st.MOVED: f"{name} reached a displacement of {value:.6g} m",
+        st.BACK: f"{name} is back at a displacement of {value:.6g} m",
+        st.UNTIL: f"time {value:.6g} s",
+        st.AT_REST: "the powder is at rest",
+    }[int(kind)]
+
+
+def tablet_broke(run: "Runner") -> bool:
+    """Whether the tablet between the platens carries half of its peak or less."""
+    if run.case.process[run.stage].step != "crush":
+        return False
+    e, w = run.engine, run.wall("platen_left")
+    force = float(e.total[w, :3] @ e.move[w, :3])
+    run.memory["peak"] = max(run.memory["peak"], force)
+    moved = float(e.move[w, wl.DISPLACEMENT])
+    settled = moved > 0.005 * run.memory["crush_diameter"]
+    return bool(settled and force < 0.5 * run.memory["peak"])
