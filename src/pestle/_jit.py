@@ -26,10 +26,18 @@ OPTIONS: dict[str, Any] = {"error_model": "numpy", "fastmath": False}
 
 
 def njit(function: Callable[..., Any] | None = None, **options: Any) -> Any:
-    """Compile a function with the options shared by all kernels."""
+    """Compile a function with the options shared by all kernels.
+
+    A function of one of our modules is kept on disk as it is: the folder of the cache
+    is named by our sources.  One that is made inside another function needs `cached`.
+    """
     if function is None:
         return lambda f: njit(f, **options)
-    return numba.njit(**{**OPTIONS, **options})(function)
+    compiled = numba.njit(**{**OPTIONS, **options})(function)
+    is_ours = function.__module__.partition(".")[0] == "pestle"
+    if is_ours and not options and "<" not in function.__qualname__:
+        cached(compiled, function.__qualname__)
+    return compiled
 
 
 def inline(function: Callable[..., Any]) -> Any:
@@ -157,7 +165,7 @@ class _KernelCache(FunctionCache):  # type: ignore[misc]
 
 
 def cached(kernel: Any, key: str) -> Any:
-    """Keep a compiled kernel on disk under `key`, which must name all it closes over."""
+    """Keep a compiled kernel on disk; `key` must name all that it closes over."""
     if not numba.config.DISABLE_JIT:
         kernel._cache = _KernelCache(kernel.py_func, key)
     return kernel

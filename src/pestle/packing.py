@@ -36,7 +36,7 @@ def draw_radii(sizes: Any, count: int, random: np.random.Generator) -> Array:
 def _drop(
     radii: Any, tries: Any, box: Any, round_: bool, cell: float, head: Any, link: Any
 ) -> Any:
-    """Place spheres one after the other where they fit; return places, -1 tries left."""
+    """Place spheres one after the other where they fit; return places and number."""
     n = radii.shape[0]
     place = np.empty((n, 3))
     nx, ny, nz = head.shape
