@@ -89,6 +89,7 @@ class Zunker2024:
 
     name: ClassVar[str] = "zunker2024"
     summary: ClassVar[str] = "MDR: elastic-plastic adhesive spheres, large deformation"
+    requires: ClassVar[tuple[str, ...]] = ("yield_stress",)
     citation: ClassVar[str] = (
         "@article{zunker2024, author={Zunker, William and Kamrin, Ken}, "
         "title={A mechanically-derived contact model for adhesive elastic-perfectly "

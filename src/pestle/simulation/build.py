@@ -8,7 +8,6 @@ import numpy as np
 from pestle.engine import step as st
 from pestle.engine import walls as wl
 from pestle.engine.engine import Engine, PairRule
-from pestle.errors import InputError
 from pestle.laws import Hertz, Solid
 
 if TYPE_CHECKING:
@@ -128,15 +127,3 @@ def make_engine(
     found, rows, moves = wall_rows(case, names)
     engine.set_walls(rows, moves)
     return engine, found
-
-
-def yield_needed(case: "Case") -> None:
-    """Refuse a law that needs a yield stress of a material without one."""
-    m = case.materials[case.particles.material]
-    if case.law.name in ("zunker2024", "mdr") and m.yield_stress is None:
-        raise InputError(
-            "missing-key",
-            f"the law {case.law.name!r} needs the yield stress of the particles",
-            f"materials.{case.particles.material}.yield_stress",
-            'add yield_stress = "150 MPa"',
-        )

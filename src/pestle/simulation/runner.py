@@ -13,7 +13,7 @@ from pestle.engine import step as st
 from pestle.engine import walls as wl
 from pestle.errors import InputError
 from pestle.simulation import checkpoint
-from pestle.simulation.build import make_engine, yield_needed
+from pestle.simulation.build import make_engine
 from pestle.simulation.conditions import fraction, reason, tablet_broke, values
 from pestle.simulation.output import Output
 from pestle.simulation.progress import Progress, RunResult, StopReason
@@ -39,7 +39,6 @@ class Runner:
         self.stages: list[dict[str, Any]] = []
         self.interrupted = False
         self.speed = 0.0  # steps per second of wall time
-        yield_needed(case)
 
     # -------------------------------------------------------------- what stages need
 
