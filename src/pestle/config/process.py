@@ -10,6 +10,7 @@ from pestle.config.quantities import (
     Coordinate,
     Distance,
     Duration,
+    Factor,
     Force,
     Fraction,
     Length,
@@ -39,6 +40,10 @@ class Fill(Stage):
     """fill"""
     max_time: Duration = 1.0
     """Longest time to wait until the powder is at rest [s]."""
+    softening: Factor = 1000.0
+    """The modulus of the particles is divided by this while they fall and settle
+    (elastic, without adhesion); the case's own law and stiffness take over at the end
+    of the step [-]."""
 
 
 class Press(Stage):
