@@ -60,7 +60,7 @@ class FakeSimulation(ModuleType):
 
     def plan(self, case):
         return Plan(
-            particles=case.particles.count,
+            particles=case.particles[0].count,
             time_step=2.5e-8,
             time_step_reason="stiffest pair",
             steps=1_000_000,

@@ -23,7 +23,12 @@ from pestle.config import (
 from pestle.errors import InputError
 from pestle.laws import Zunker2024
 
-POWDER = {"youngs_modulus": "1 GPa", "poisson_ratio": 0.3, "density": 1000}
+POWDER = {
+    "youngs_modulus": "1 GPa",
+    "poisson_ratio": 0.3,
+    "density": 1000,
+    "yield_stress": "10 MPa",
+}
 
 
 @pytest.fixture
@@ -49,8 +54,8 @@ def test_a_file_becomes_si_floats(path):
     case = Case.from_file(path)
     assert case.source == path
     assert case.materials["powder"].youngs_modulus == 8.75e9
-    assert case.particles.count == 1000
-    assert case.particles.radius.mean == 0.00015
+    assert case.particles[0].count == 1000
+    assert case.particles[0].radius.mean == 0.00015
     assert case.die.radius == 0.0016
     assert case.engine.gravity == (0.0, 0.0, -9.81)
     assert case.engine.time_step == "auto"

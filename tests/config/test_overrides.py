@@ -64,7 +64,7 @@ def test_one_damping_replaces_the_other(read):
 def test_a_table_may_be_set(read):
     sizes = '{ distribution = "normal", mean = "150 um", deviation = "20 um" }'
     case = read(f"particles.radius={sizes}")
-    assert case.particles.radius.distribution == "normal"
+    assert case.particles[0].radius.distribution == "normal"
 
 
 def test_a_material_answers_to_its_name(read):

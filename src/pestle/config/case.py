@@ -18,11 +18,10 @@ from pestle.config.geometry import (
 )
 from pestle.config.law import LawSettings
 from pestle.config.materials import MaterialSettings
-from pestle.config.particles import ParticleSettings
+from pestle.config.particles import Powders
 from pestle.config.process import Step
 from pestle.config.quantities import Name, Seed, Text
 from pestle.config.settings import EngineSettings, OutputSettings
-from pestle.errors import InputError
 
 if TYPE_CHECKING:
     from pestle.config.particle_file import ParticleTable
@@ -52,8 +51,8 @@ class Case(Section):
     """Materials by name."""
     contacts: ContactSettings
     """What pairs of materials do to each other."""
-    particles: ParticleSettings
-    """The powder."""
+    particles: Powders
+    """The powder, or several: one table or an array of tables."""
     die: DieSettings | None = None
     """Cylindrical die with two punches."""
     walls: dict[Name, Wall] = Field(default_factory=dict)
@@ -68,6 +67,8 @@ class Case(Section):
     """What is written and how often."""
     _source: Path | None = PrivateAttr(default=None)
     _table: Any = PrivateAttr(default=None)
+    _powders: tuple[str, ...] | None = PrivateAttr(default=None)
+    _hash: dict[str, str] | None = PrivateAttr(default=None)
 
     @model_validator(mode="before")
     @classmethod
@@ -114,16 +115,26 @@ class Case(Section):
 
     def read_particles(self) -> "ParticleTable":
         """Read and check the particle file that the case names."""
-        from pestle.config.particle_file import check_inside, read_particles
+        from pestle.config.powders import particle_table
 
-        if self._table is None and self.particles.file is not None:
-            path = self.resolve(self.particles.file)
-            self._table = read_particles(path)
-            check_inside(self._table, self.all_walls, path)
         if self._table is None:
-            raise InputError("no-particle-file", "the case reads no particles")
+            self._table = particle_table(self)
         table: ParticleTable = self._table
         return table
+
+    @property
+    def powders(self) -> tuple[str, ...]:
+        """Materials of the particles; the results number them in this order."""
+        from pestle.config.powders import powder_names
+
+        if self._powders is None:
+            self._powders = powder_names(self)
+        return self._powders
+
+    @property
+    def is_generated(self) -> bool:
+        """Whether the particles are generated, not read."""
+        return all(group.count is not None for group in self.particles)
 
     def pair(self, first: str, second: str) -> PairProperties:
         """Friction, damping and adhesion of a pair of materials."""
@@ -147,8 +158,18 @@ class Case(Section):
         return tuple(names)
 
     def canonical(self) -> str:
-        """Return the case as JSON with sorted keys; equal text means equal runs."""
-        return json.dumps(self.model_dump(mode="json"), sort_keys=True, allow_nan=False)
+        """Return the case as JSON with sorted keys; equal text means equal runs.
+
+        What the case reads stands there by the hash of its content, not by its path.
+        """
+        from pestle.config.powders import content_hash
+
+        data = self.model_dump(mode="json")
+        if self._hash is None and not self.is_generated:
+            self._hash = content_hash(self)
+        if self._hash is not None:
+            data["particles"][0] |= {"file": None, "start_from": None, **self._hash}
+        return json.dumps(data, sort_keys=True, allow_nan=False)
 
     def canonical_law(self) -> str:
         """Return law, materials and pairs as JSON: contact histories need them."""

@@ -8,6 +8,10 @@ from pestle.errors import did_you_mean
 
 if TYPE_CHECKING:
     from pestle.config.case import Case
+    from pestle.config.particles import ParticleSettings
+
+MOST_PARTICLES = 10**8
+"""Largest number of particles in one case [-]."""
 
 DENSEST_FILL = 0.64
 """Random close packing of spheres [-]: no more fits between the punches."""
@@ -25,14 +29,9 @@ def check_case(case: "Case") -> None:
 
 
 def _check_materials(case: "Case") -> None:
-    powder = _material(case, case.particles.material, ("particles", "material"))
-    if powder.rigid:
-        raise problem(
-            "contradiction",
-            f'the particles are of the rigid material "{case.particles.material}"',
-            "rigid is for walls",
-            ("particles", "material"),
-        )
+    for number, group in enumerate(case.particles):
+        if group.material is not None:
+            check_powder(case, group.material, group_key(case, number, "material"))
     if case.die:
         _material(case, case.die.material, ("die", "material"))
     for name, wall in case.walls.items():
@@ -40,18 +39,38 @@ def _check_materials(case: "Case") -> None:
     for number, pair in enumerate(case.contacts.pairs):
         for place, name in enumerate(pair.between):
             _material(case, name, ("contacts", "pairs", number, "between", place))
+
+
+def check_powder(case: "Case", name: str, key: tuple[str | int, ...]) -> None:
+    """Refuse a material that particles cannot have; `key` says where it is named."""
+    powder = _material(case, name, key)
+    if powder.rigid:
+        raise problem(
+            "contradiction",
+            f'the particles are of the rigid material "{name}"',
+            "rigid is for walls",
+            key,
+        )
     needed = list(getattr(case.law.build(), "requires", ()))
-    if case.particles.count is not None:
+    if case.is_generated:
         needed.append("density")
-    for key in needed:
-        if getattr(powder, key, None) is None:
-            why = "generated particles" if key == "density" else f"law {case.law.name}"
+    for constant in needed:
+        if getattr(powder, constant, None) is None:
+            why = f"the law {case.law.name} needs it"
+            if constant == "density":
+                why = "generated particles need it"
             raise problem(
                 "missing-key",
-                f'{key} of material "{case.particles.material}" is missing',
-                f"needed by {why}",
-                ("materials", case.particles.material, key),
+                f'{constant} of material "{name}" is missing',
+                f"{why}: add {constant} to [materials.{name}]",
+                ("materials", name, constant) if key else (),
             )
+
+
+def group_key(case: "Case", number: int, *rest: str) -> tuple[str | int, ...]:
+    """Path of a key of a powder; a single powder is a table of its own."""
+    several = (number,) if len(case.particles) > 1 else ()
+    return ("particles", *several, *rest)
 
 
 def _material(case: "Case", name: str, key: tuple[str | int, ...]) -> Any:
@@ -63,10 +82,14 @@ def _material(case: "Case", name: str, key: tuple[str | int, ...]) -> Any:
 
 
 def _check_particles(case: "Case") -> None:
-    particles = case.particles
-    if particles.count is None or particles.radius is None:
+    if not case.is_generated:
+        _check_one_source(case)
         return
-    where = ("particles", "count")
+    total = sum(group.count or 0 for group in case.particles)
+    where = group_key(case, len(case.particles) - 1, "count")
+    if total > MOST_PARTICLES:
+        what = f"{total} particles are more than {MOST_PARTICLES:.10g}"
+        raise problem("out-of-range", what, "make count smaller", where)
     if case.die is None and case.box is None:
         raise problem(
             "nowhere-to-put",
@@ -75,14 +98,13 @@ def _check_particles(case: "Case") -> None:
             where,
         )
     volume = case.die.volume if case.die else case.box.volume if case.box else 0.0
-    radius = particles.radius
-    cubed = radius.mean**3 + 3.0 * radius.mean * radius.deviation**2
-    fraction = particles.count * 4.18879 * cubed / volume
+    fraction = sum(_solid_volume(group) for group in case.particles) / volume
     if fraction > DENSEST_FILL:
         place = "die" if case.die else "box"
+        means = ", ".join(f"{g.radius.mean:g} m" for g in case.particles if g.radius)
         raise problem(
             "overfull",
-            f"{particles.count} particles of mean radius {radius.mean:g} m fill "
+            f"{total} particles of mean radius {means} fill "
             f"{100 * fraction:.3g} % of the {place}; {100 * DENSEST_FILL:.0f} % is "
             "the most that fits before pressing",
             f"make the {place} larger or count smaller",
@@ -90,35 +112,76 @@ def _check_particles(case: "Case") -> None:
         )
 
 
+def _check_one_source(case: "Case") -> None:
+    """Particles that are read come from one place and are not mixed with others."""
+    for number, group in enumerate(case.particles):
+        if group.count is None and len(case.particles) > 1:
+            key = "start_from" if group.file is None else "file"
+            raise problem(
+                "contradiction",
+                f"{key} is given beside other powders",
+                "particles are all generated, or all read from one place: a file names "
+                "each particle's powder in a column material",
+                group_key(case, number, key),
+            )
+
+
+def _solid_volume(group: "ParticleSettings") -> float:
+    """Volume of all particles of a powder, from the moments of its radius [m^3]."""
+    assert group.radius is not None
+    mean, deviation = group.radius.mean, group.radius.deviation
+    cubed = mean**3 + 3.0 * mean * deviation**2
+    return (group.count or 0) * 4.18879 * cubed
+
+
 def fill_contacts(data: Any) -> Any:
-    """Take contact properties of the powder's material set where the case has none."""
+    """Take contact properties of the powders' material sets where the case has none.
+
+    What a set says of its particles is the default of a case with one powder; of
+    several, each brings its own to the contacts of its like.
+    """
     try:
-        powder = data["particles"]["material"]
-        name = data["materials"][powder]["set"]
-        walls = [other for other in data["materials"] if other != powder]
+        powders = _powders_in(data["particles"])
+        sets = {p: data["materials"][p]["set"] for p in powders if p in _with_set(data)}
+        walls = [name for name in data["materials"] if name not in powders]
         contacts = dict(data.get("contacts") or {})
         pairs = [dict(pair) for pair in contacts.get("pairs", ())]
     except (TypeError, KeyError, ValueError, AttributeError):
         return data  # the sections themselves report what is wrong
+    if not sets:
+        return data
     from pestle.errors import InputError
     from pestle.materials import load
 
-    try:
-        material = load(name)
-    except InputError:
-        return data
     given = _canonical_names(contacts)
-    for wall in walls:
-        _fill_wall(pairs, (powder, wall), material.wall_contacts, given)
-    for key, value in material.contacts.items():
-        if key not in given:
-            contacts[key] = value
+    for powder, name in sets.items():
+        try:
+            material = load(name)
+        except InputError:
+            return data
+        for wall in walls:
+            _fill_pair(pairs, (powder, wall), material.wall_contacts, given)
+        if len(powders) > 1:
+            _fill_pair(pairs, (powder, powder), material.contacts, given)
+            continue
+        for key, value in material.contacts.items():
+            if key not in given:
+                contacts[key] = value
     if pairs:
         contacts["pairs"] = pairs
     return {**data, "contacts": contacts}
 
 
-def _fill_wall(
+def _powders_in(particles: Any) -> list[str]:
+    groups = [particles] if isinstance(particles, dict) else particles
+    return list(dict.fromkeys(group["material"] for group in groups))
+
+
+def _with_set(data: Any) -> set[str]:
+    return {name for name, m in data["materials"].items() if "set" in m}
+
+
+def _fill_pair(
     pairs: list[dict[str, Any]],
     names: tuple[str, str],
     values: dict[str, float],

@@ -38,34 +38,38 @@ def check_geometry(case: "Case") -> None:
 
 
 def _smallest_radius(case: "Case") -> float:
-    return case.particles.radius.minimum if case.particles.radius else 0.0
+    return min((g.radius.minimum for g in case.particles if g.radius), default=0.0)
+
+
+def _largest_radius(case: "Case") -> float:
+    return max((g.radius.maximum for g in case.particles if g.radius), default=0.0)
 
 
 def _check_die_size(case: "Case") -> None:
-    radius = case.particles.radius
-    if case.die is None or radius is None:
+    largest = _largest_radius(case)
+    if case.die is None:
         return
     for key, size in (("radius", case.die.radius), ("height", case.die.height / 2)):
-        if size < radius.maximum:
+        if size < largest:
             raise problem(
                 "die-too-small",
                 f"die {key} {getattr(case.die, key):g} m: a particle of radius "
-                f"{radius.maximum:g} m does not fit in",
+                f"{largest:g} m does not fit in",
                 "check the units of die and particles",
                 ("die", key),
             )
 
 
 def _check_box(case: "Case") -> None:
-    radius = case.particles.radius
-    if case.box is None or radius is None:
+    largest = _largest_radius(case)
+    if case.box is None:
         return
     for number, length in enumerate(case.box.lengths):
-        if length < 4.0 * radius.maximum:
+        if length < 4.0 * largest:
             raise problem(
                 "box-too-small",
                 f"box edge {length:g} m is below two diameters of the largest "
-                f"particle ({4 * radius.maximum:g} m)",
+                f"particle ({4 * largest:g} m)",
                 "a particle would touch its own image",
                 ("box", "lengths", number),
             )

@@ -27,7 +27,7 @@ def check_process(case: "Case") -> None:
     """Refuse steps that cannot be carried out in this case."""
     _check_names(case)
     _check_fill(case)
-    ejected = case.particles.start_from is not None
+    ejected = any(group.start_from is not None for group in case.particles)
     for number, stage in enumerate(case.process):
         key = ("process", number)
         if isinstance(stage, Fill | Eject | Crush) and case.die is None:
@@ -71,7 +71,7 @@ def _check_fill(case: "Case") -> None:
             "an earlier run can be continued with start_from",
             ("process", max(fills), "step"),
         )
-    generated = case.particles.count is not None
+    generated = case.is_generated
     if generated and case.die is not None and case.box is None and not fills:
         raise problem(
             "missing-key",

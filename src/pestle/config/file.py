@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from pydantic import ValidationError
 
 from pestle.config.locate import Path as Path_
+from pestle.config.powders import CHECKPOINT
 from pestle.config.translate import Origin, translated
 from pestle.errors import InputError
 
@@ -42,18 +43,20 @@ def read_case(
 
 def _check_files(case: "Case", origin: Origin) -> None:
     """Read what the case names, so that a bad file is found before the run."""
-    if case.particles.file is not None:
+    first = case.particles[0]
+    if first.file is not None:
         case.read_particles()
-    if case.particles.start_from is not None:
-        folder = case.resolve(case.particles.start_from)
-        if not (folder / "checkpoint.npz").is_file():
+    if first.start_from is not None:
+        folder = case.resolve(first.start_from)
+        if not (folder / CHECKPOINT).is_file():
             raise InputError(
                 "no-such-run",
-                f'start_from = "{case.particles.start_from}": there is no run in '
-                f"{folder} (no checkpoint.npz)",
+                f'start_from = "{first.start_from}": there is no run in {folder} '
+                f"(no {CHECKPOINT})",
                 origin.place(("particles", "start_from")),
                 "the path is relative to the case file",
             )
+        _ = case.powders
 
 
 def read_text(path: Path, largest: int) -> str:

@@ -40,6 +40,8 @@ def _lines(text: str) -> dict[Path, int]:
         if header:
             table = _table(header, counts)
             found.setdefault(table, number)
+            if header[1] == "[[":
+                found.setdefault(table[:-1], number)  # the whole array
             continue
         key = _KEY.match(line) if depth == 0 else None
         if key:

@@ -23,6 +23,9 @@ _ONE_OF = (
 )
 """Keys of which a section holds one: setting it removes the others."""
 
+_ANSWERS = ("step", "name", "material")
+"""Keys whose value names an entry of an array, as in ``process.press.at``."""
+
 _PLAIN = re.compile(r"[^\"'\[\]{}=#\n]+")
 
 
@@ -57,7 +60,8 @@ def apply(data: dict[str, Any], overrides: dict[str, Any] | list[str]) -> list[P
     overrides : dict or list of str
         Values by dotted path, or texts such as ``"law.psi_b=0.4"``. The end of a path
         is enough where only one key has it. In [[process]] a step answers to its
-        number, its name and its word: ``process.press.at``.
+        number, its name and its word, ``process.press.at``; in [[particles]] a powder
+        to its number and its material.
     """
     pairs = (
         [(key, value) for key, value in overrides.items()]
@@ -177,7 +181,7 @@ def _inside(
         for number, item in enumerate(value):
             names = {str(number)}
             if isinstance(item, dict):
-                names |= {str(item[k]) for k in ("step", "name") if k in item}
+                names |= {str(item[k]) for k in _ANSWERS if k in item}
             chosen = _chosen(sections, item)
             spelled = (*words, frozenset(names))
             yield from _walk(chosen, item, (*path, number), spelled)

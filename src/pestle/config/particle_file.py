@@ -14,10 +14,13 @@ from pestle.config.geometry import CylinderWall, PlaneWall
 from pestle.errors import InputError, did_you_mean
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Collection, Mapping
 
 COLUMNS = ("id", "radius_m", "density_kg_m3", "x_m", "y_m", "z_m")
-"""Columns of the file."""
+"""Columns of the file; a column `MATERIAL` may follow."""
+
+MATERIAL = "material"
+"""Column that names the material of each particle."""
 
 LARGEST_FILE = 4_000_000_000
 """Largest particle file [bytes]."""
@@ -35,10 +38,22 @@ class ParticleTable:
     """True density [kg/m^3]."""
     position: NDArray[np.float64]
     """Positions, one row a particle [m]."""
+    material: NDArray[np.int64]
+    """Number of each particle's material in `materials`, 0 without a column."""
+    materials: tuple[str, ...] = ()
+    """Names of the column material as they appear, empty without one."""
 
 
-def read_particles(path: Path) -> ParticleTable:
-    """Read a file with the columns `COLUMNS`; raises `InputError` with the line."""
+def read_particles(path: Path, known: "Collection[str]" = ()) -> ParticleTable:
+    """Read a file with the columns `COLUMNS`; raises `InputError` with the line.
+
+    Parameters
+    ----------
+    path : Path
+        CSV file.
+    known : collection of str
+        Names that the column material may hold.
+    """
     lines = read_text(path, LARGEST_FILE).splitlines()
     reader = csv.reader(lines)
     header = [name.strip() for name in next(reader, [])]
@@ -48,12 +63,19 @@ def read_particles(path: Path) -> ParticleTable:
             hint = f"columns: {', '.join(COLUMNS)}"
             raise InputError("bad-particle-file", what, f"{path}:1", hint)
     for name in header:
-        if name not in COLUMNS or header.count(name) > 1:
+        if name not in (*COLUMNS, MATERIAL) or header.count(name) > 1:
             what = f'unknown or repeated column "{name}"'
-            hint = did_you_mean(name, COLUMNS)
+            hint = did_you_mean(name, (*COLUMNS, MATERIAL))
             raise InputError("bad-particle-file", what, f"{path}:1", hint)
     order = [header.index(name) for name in COLUMNS]
-    rows = [_row(row, order, f"{path}:{reader.line_num}") for row in reader if row]
+    named = header.index(MATERIAL) if MATERIAL in header else None
+    names: dict[str, int] = {}
+    rows, material = [], []
+    for row in filter(None, reader):
+        where = f"{path}:{reader.line_num}"
+        rows.append(_row(row, order, len(header), where))
+        name = "" if named is None else _material(row[named], known, where)
+        material.append(names.setdefault(name, len(names)))
     if not rows:
         raise InputError("bad-particle-file", "there are no particles", str(path))
     table = np.array(rows, dtype=np.float64)
@@ -63,7 +85,14 @@ def read_particles(path: Path) -> ParticleTable:
         twice = unique[counts > 1][0]
         what = f"the id {twice} is given {counts.max()} times"
         raise InputError("bad-particle-file", what, str(path), "ids are unique")
-    return ParticleTable(ids, table[:, 1], table[:, 2], table[:, 3:6])
+    return ParticleTable(
+        ids,
+        table[:, 1],
+        table[:, 2],
+        table[:, 3:6],
+        np.array(material, np.int64),
+        () if named is None else tuple(names),
+    )
 
 
 def check_inside(
@@ -98,9 +127,17 @@ def _depth(
     return np.where(is_beside, wall.radius - radial, np.inf)
 
 
-def _row(row: list[str], order: list[int], where: str) -> list[float]:
-    if len(row) != len(order):
-        what = f"{len(row)} values instead of {len(order)}"
+def _material(text: str, known: "Collection[str]", where: str) -> str:
+    name = text.strip()
+    if name not in known:
+        what = f'material = "{name[:40]}": there is no such material in the case'
+        raise InputError("unknown-material", what, where, did_you_mean(name, known))
+    return name
+
+
+def _row(row: list[str], order: list[int], width: int, where: str) -> list[float]:
+    if len(row) != width:
+        what = f"{len(row)} values instead of {width}"
         raise InputError("bad-particle-file", what, where)
     values = []
     for name, column in zip(COLUMNS, order, strict=True):

@@ -1,8 +1,11 @@
-"""[particles]: how many, how large, or where they are read from."""
+"""[particles]: how many, how large, or where they are read from.
 
-from typing import Any, Literal
+One powder is a table [particles]; several powders are [[particles]], one each.
+"""
 
-from pydantic import model_validator
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, WrapValidator, model_validator
 
 from pestle.config.base import Section, problem
 from pestle.config.quantities import RADIUS, Count, Distance, Length, Name, Text
@@ -72,18 +75,19 @@ class SizeDistribution(Section):
 
 
 class ParticleSettings(Section):
-    """Particles: generated (count and radius), or from a file or an earlier run."""
+    """One powder: generated (count and radius), or from a file or an earlier run."""
 
-    material: Name
-    """Material of all particles, a name in [materials]."""
+    material: Name | None = None
+    """Material of the particles, a name in [materials]; may be left out where the file
+    has a column material, or where an earlier run goes on."""
     count: Count | None = None
     """Number of particles to generate."""
     radius: SizeDistribution | None = None
     """Mean radius [m], or a table with distribution, mean, deviation, minimum and
     maximum."""
     file: Text | None = None
-    """CSV with the columns id, radius_m, density_kg_m3, x_m, y_m, z_m; the path is
-    relative to the case file."""
+    """CSV with the columns id, radius_m, density_kg_m3, x_m, y_m, z_m and, for several
+    powders, material; the path is relative to the case file."""
     start_from: Text | None = None
     """Directory of an earlier run whose last state is the start."""
 
@@ -104,6 +108,13 @@ class ParticleSettings(Section):
                 "particles come from one place",
                 key=(given[-1],),
             )
+        if self.count is not None and self.material is None:
+            raise problem(
+                "missing-key",
+                "material is missing",
+                'add material = "powder", a name in [materials]',
+                key=("material",),
+            )
         if self.count is not None and self.radius is None:
             raise problem(
                 "missing-key",
@@ -119,6 +130,24 @@ class ParticleSettings(Section):
                 key=("radius",),
             )
         return self
+
+
+def _as_tuple(value: Any, handler: Any) -> tuple[ParticleSettings, ...]:
+    """Accept one powder for a tuple of one."""
+    if isinstance(value, dict | ParticleSettings):
+        return (ParticleSettings.model_validate(value),)
+    if not isinstance(value, list | tuple):
+        hint = "write [particles], or [[particles]] for several powders"
+        raise problem("wrong-type", "must be a table or an array of tables", hint)
+    groups: tuple[ParticleSettings, ...] = handler(value)
+    return groups
+
+
+Powders = Annotated[
+    tuple[ParticleSettings, ...],
+    Field(min_length=1, max_length=100),
+    WrapValidator(_as_tuple),
+]
 
 
 def _with_tails(data: dict[str, Any]) -> dict[str, Any]:

@@ -20,6 +20,7 @@ def case_schema() -> dict[str, Any]:
     definitions["LawSettings"] = _law_schema()
     _accept_to(definitions["Press"])
     _accept_plain_radius(definitions)
+    _accept_one_powder(schema["properties"]["particles"])
     _accept_adhesion_names(definitions)
     return schema
 
@@ -40,6 +41,13 @@ def _accept_plain_radius(definitions: dict[str, Any]) -> None:
     radius = definitions["ParticleSettings"]["properties"]["radius"]
     radius["anyOf"] = [*sizes["properties"]["mean"]["anyOf"], *radius["anyOf"]]
     radius["x-unit"] = "m"
+
+
+def _accept_one_powder(particles: dict[str, Any]) -> None:
+    """One powder may be a table; several are an array of tables."""
+    keys = ("type", "items", "minItems", "maxItems")
+    array = {key: particles.pop(key) for key in keys if key in particles}
+    particles["anyOf"] = [array["items"], array]
 
 
 def _accept_adhesion_names(definitions: dict[str, Any]) -> None:

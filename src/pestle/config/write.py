@@ -12,10 +12,12 @@ def case_toml(case: "Case") -> str:
     """Return a case file with all values in SI units and absolute paths."""
     data = case.model_dump(mode="json", by_alias=True, exclude_none=True)
     data["law"] = {"name": data["law"]["name"], **data["law"]["options"]}
-    for key in ("file", "start_from"):
-        if key in data["particles"]:
-            path = case.resolve(data["particles"][key])
-            data["particles"][key] = str(path.resolve())
+    for group in data["particles"]:
+        for key in ("file", "start_from"):
+            if key in group:
+                group[key] = str(case.resolve(group[key]).resolve())
+    if len(data["particles"]) == 1:
+        data["particles"] = data["particles"][0]
     return "\n".join(["# All values in SI units.", *_table(data, ())]) + "\n"
 
 

@@ -1,12 +1,13 @@
 """What went into the run, as rows of a table."""
 
 from dataclasses import dataclass
+from itertools import combinations_with_replacement, product
 from typing import TYPE_CHECKING
 
 from pestle.report.numbers import with_unit
 
 if TYPE_CHECKING:
-    from pestle.config import Case
+    from pestle.config import Case, ParticleSettings
 
 Rows = list[tuple[str, str]]
 
@@ -25,7 +26,7 @@ def input_tables(case: "Case") -> list[Inputs]:
         Inputs(f"Material “{name}”", rows) for name, rows in _materials(case) if rows
     ]
     tables += _contacts(case)
-    tables.append(Inputs("Particles", _particles(case)))
+    tables += _particles(case)
     if case.die is not None:
         tables.append(Inputs("Die", _die(case)))
     tables += [Inputs("Contact law", _law(case)), Inputs("Engine", _engine(case))]
@@ -53,11 +54,11 @@ def _materials(case: "Case") -> list[tuple[str, Rows]]:
 
 
 def _contacts(case: "Case") -> list[Inputs]:
-    powder = case.particles.material
-    partners = [powder]
-    partners += sorted({wall.material for wall in case.all_walls.values()} - {powder})
+    powders = case.powders
+    walls = sorted({w.material for w in case.all_walls.values()} - set(powders))
+    couples = [*combinations_with_replacement(powders, 2), *product(powders, walls)]
     tables = []
-    for partner in partners:
+    for powder, partner in couples:
         pair = case.pair(powder, partner)
         rows: Rows = [
             ("sliding friction µ", with_unit(pair.sliding_friction, "-")),
@@ -72,9 +73,20 @@ def _contacts(case: "Case") -> list[Inputs]:
     return tables
 
 
-def _particles(case: "Case") -> Rows:
-    particles = case.particles
-    rows: Rows = [("material", particles.material)]
+def _particles(case: "Case") -> list[Inputs]:
+    if len(case.particles) == 1:
+        rows = [*_powder(case, case.particles[0]), ("seed", str(case.seed))]
+        return [Inputs("Particles", rows)]
+    tables = [
+        Inputs(f"Particles of “{powder.material}”", _powder(case, powder))
+        for powder in case.particles
+    ]
+    return [*tables, Inputs("Particles together", [("seed", str(case.seed))])]
+
+
+def _powder(case: "Case", particles: "ParticleSettings") -> Rows:
+    material = particles.material or ", ".join(case.powders)
+    rows: Rows = [("material", material)]
     if particles.count is not None:
         rows.append(("count", f"{particles.count:,}"))
     if particles.radius is not None:
@@ -91,7 +103,6 @@ def _particles(case: "Case") -> Rows:
         rows.append(("read from", particles.file.rpartition("/")[2]))
     if particles.start_from:
         rows.append(("continued from", particles.start_from.rpartition("/")[2]))
-    rows.append(("seed", str(case.seed)))
     return rows
 
 

@@ -1,5 +1,6 @@
 """From a case to an engine: materials, pairs, walls, particles."""
 
+from itertools import combinations_with_replacement
 from math import hypot, log, pi, sqrt
 from typing import TYPE_CHECKING, Any
 
@@ -23,13 +24,13 @@ def law_of(case: "Case") -> Any:
 
 def solids_of(case: "Case", softening: float = 1.0) -> tuple[list[Solid], list[str]]:
     """Return solids and material names, the particles' first."""
-    powder = case.particles.material
-    names = [powder, *sorted({w.material for w in case.all_walls.values()})]
+    walls = sorted({w.material for w in case.all_walls.values()})
+    names = [*case.powders, *walls]
     solids = []
-    for number, name in enumerate(names):
+    for name in names:
         m = case.materials[name]
-        if number and m.rigid:
-            solids.append(Solid())
+        if m.youngs_modulus is None or m.poisson_ratio is None:
+            solids.append(Solid())  # a rigid tool
             continue
         solids.append(
             Solid(
@@ -63,9 +64,12 @@ def rules_of(
 ) -> dict[tuple[int, int], PairRule]:
     """Return the pair rules by indices of `names`."""
     rules = {}
-    for b, other in enumerate(names):
-        pair = case.pair(names[0], other)
-        rules[0, b] = PairRule(
+    powders = len(case.powders)
+    for a, b in combinations_with_replacement(range(len(names)), 2):
+        if a >= powders:
+            continue  # two walls
+        pair = case.pair(names[a], names[b])
+        rules[a, b] = PairRule(
             sliding_friction=pair.sliding_friction,
             rolling_friction=pair.rolling_friction,
             damping=damping_factor(pair.restitution, pair.damping_ratio),
@@ -76,9 +80,10 @@ def rules_of(
 
 def wall_rows(case: "Case", names: list[str]) -> tuple[list[str], list[Any], list[Any]]:
     """Return names, `wall` rows and `move` rows of all walls."""
+    powders = len(case.powders)
     found, rows, moves = [], [], []
     for name, w in case.all_walls.items():
-        material = float(names.index(w.material, 1))
+        material = float(names.index(w.material, powders))
         if w.kind == "plane":
             row = [0.0, *w.point, *w.normal, 0.0, 0.0, 0.0, 1.0, material]
             axis = w.normal
@@ -89,7 +94,7 @@ def wall_rows(case: "Case", names: list[str]) -> tuple[list[str], list[Any], lis
         rows.append(row)
         moves.append([*axis, *[0.0] * (wl.MOVE - 3)])
     if any(stage.step == "crush" for stage in case.process) and case.die:
-        material = float(names.index(case.die.material, 1))
+        material = float(names.index(case.die.material, powders))
         for name, way in zip(PLATENS, (1.0, -1.0), strict=True):
             found.append(name)
             rows.append(
@@ -112,6 +117,7 @@ def make_engine(
         law=Hertz() if filling else law_of(case),
         solids=solids,
         rules=rules,
+        particle_solids=len(case.powders),
         gravity=np.array(case.engine.gravity, float),
         rolling=any(rule.rolling_friction > 0.0 for rule in rules.values()),
         safety=case.engine.safety,

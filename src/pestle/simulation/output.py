@@ -49,6 +49,7 @@ class Output:
                 seed=run.case.seed,
                 threads=threads,
             )
+            record["particle_materials"] = list(run.case.powders)
             provenance.write_provenance(folder / "provenance.json", record)
             (folder / "case.toml").write_text(run.case.to_toml(), encoding="utf-8")
             self.history = History(folder / "history.csv", columns)

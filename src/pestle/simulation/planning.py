@@ -78,8 +78,12 @@ def pressed_step(case: "Case", radius: Any, density: Any) -> float:
     """Step for the stiffest state expected: eight contacts of radius R/2 [s]."""
     if case.engine.time_step != "auto":
         return float(case.engine.time_step)
-    m = case.materials[case.particles.material]
-    modulus = m.youngs_modulus / (1.0 - m.poisson_ratio**2) / 2.0
+    modulus = 0.0
+    for name in case.powders:
+        m = case.materials[name]
+        assert m.youngs_modulus is not None
+        assert m.poisson_ratio is not None
+        modulus = max(modulus, m.youngs_modulus / (1.0 - m.poisson_ratio**2) / 2.0)
     mass = 4.0 / 3.0 * np.pi * radius**3 * density
     stiffness = 8.0 * 3.5 * 0.8 * 2.0 * modulus * 0.5 * radius
     return float(case.engine.safety * np.min(2.0 * np.sqrt(mass / (2.0 * stiffness))))

@@ -220,6 +220,7 @@ class Runner:
             "case": self.case.canonical(),
             "law": self.case.canonical_law(),
             "walls": self.walls,
+            "powders": self.case.powders,
             "stage": self.stage,
             "phase": self.phase,
             "before": self.before,

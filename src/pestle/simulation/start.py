@@ -1,9 +1,10 @@
 """How a run begins: particles placed, filled soft, hardened; or read."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import numpy.typing as npt
 
 from pestle.engine import step as st
 from pestle.engine import walls as wl
@@ -16,32 +17,27 @@ if TYPE_CHECKING:
     from pestle.config import Case
     from pestle.simulation.runner import Runner
 
-SOFTENING = 1000.0
-"""Modulus of the particles over that of the filling stage, unless the case says."""
+Array = npt.NDArray[Any]
 
 
 def start(run: "Runner") -> None:
     """Place the particles of a fresh run."""
     case = run.case
     filling = case.process[0].step == "fill"
-    if case.particles.start_from is not None:
-        continue_from(run, case.resolve(case.particles.start_from))
+    if case.particles[0].start_from is not None:
+        continue_from(run, case.resolve(case.particles[0].start_from))
         return
     run.engine, run.walls = make_engine(
         case, filling=filling, softening=softening(case)
     )
-    if case.particles.file is not None:
+    if case.particles[0].file is not None:
         table = case.read_particles()
         place, radius, density = table.position, table.radius, table.density
+        material = table.material
     elif case.die is not None and filling:
         random = np.random.default_rng(case.seed)
-        assert case.particles.radius is not None
-        assert case.particles.count is not None
-        radius = draw_radii(case.particles.radius, case.particles.count, random)
-        place, column = place_in_die(radius, case.die.radius, random)
-        run.memory["column"] = column
-        solid = case.materials[case.particles.material].density
-        density = np.full(len(radius), solid)
+        radius, density, material = _drawn(case, random)
+        place, run.memory["column"] = place_in_die(radius, case.die.radius, random)
     else:
         raise InputError(
             "no-start",
@@ -50,10 +46,7 @@ def start(run: "Runner") -> None:
             'add [[process]] step = "fill" as the first step, or read a file',
         )
     run.engine.set_particles(
-        place,
-        radius,
-        np.zeros(len(radius), int),
-        density * case.engine.mass_scaling,
+        place, radius, material, density * case.engine.mass_scaling
     )
     if filling:
         run.memory.setdefault("column", float(place[:, 2].max()))
@@ -62,11 +55,25 @@ def start(run: "Runner") -> None:
     _initial_energy(run)
 
 
+def _drawn(case: "Case", random: np.random.Generator) -> tuple[Array, Array, Array]:
+    """Radii [m], densities [kg/m^3] and materials of generated powders, in turn."""
+    powders = case.powders
+    radius, density, material = [], [], []
+    for group in case.particles:
+        assert group.radius is not None
+        assert group.count is not None
+        assert group.material is not None
+        radius.append(draw_radii(group.radius, group.count, random))
+        density.append(np.full(group.count, case.materials[group.material].density))
+        material.append(np.full(group.count, powders.index(group.material)))
+    return np.concatenate(radius), np.concatenate(density), np.concatenate(material)
+
+
 def softening(case: "Case") -> float:
     """Modulus over that of the filling stage [-]."""
     for step in case.process:
         if step.step == "fill":
-            return float(getattr(step, "softening", SOFTENING))
+            return step.softening
     return 1.0
 
 
@@ -103,6 +110,7 @@ def harden(run: "Runner") -> None:
 def continue_from(run: "Runner", folder: Path) -> None:
     """Start from the last state of an earlier run."""
     arrays, facts = checkpoint.read(folder)
+    number = _renumbered(run.case, facts.get("powders"))
     run.engine, run.walls = make_engine(run.case)
     engine = run.engine
     order = np.argsort(arrays["ids"])
@@ -110,12 +118,12 @@ def continue_from(run: "Runner", folder: Path) -> None:
     radius = arrays["field"][order, 0] if multi else arrays["pos"][order, 3]
     mass = arrays["vel"][order, 3]
     density = mass / (4.0 / 3.0 * np.pi * radius**3)
-    engine.set_particles(
-        arrays["pos"][order, :3], radius, np.zeros(len(order), int), density
-    )
+    material = number[arrays["mat"][order]]
+    engine.set_particles(arrays["pos"][order, :3], radius, material, density)
     engine.vel[:, :3] = arrays["vel"][order][engine.ids - 1, :3]
     same_law = facts.get("law") == run.case.canonical_law()
-    if same_law and facts.get("walls") == run.walls:
+    same_powders = facts.get("powders") == list(run.case.powders)
+    if same_law and same_powders and facts.get("walls") == run.walls:
         gravity = engine.gravity
         engine.restore(arrays)
         engine.gravity = gravity
@@ -123,6 +131,23 @@ def continue_from(run: "Runner", folder: Path) -> None:
         engine.clock[st.TIME] = 0.0
     engine.start()
     _initial_energy(run)
+
+
+def _renumbered(case: "Case", before: list[str] | None) -> Array:
+    """Number in this case of each of the earlier run's powders."""
+    powders = case.powders
+    if case.particles[0].material is None:
+        assert before is not None
+        return np.array([powders.index(name) for name in before])
+    if before is not None and len(before) > 1:
+        raise InputError(
+            "contradiction",
+            f"the earlier run has the powders {', '.join(before)}, but the case says "
+            f"that all are of {case.particles[0].material!r}",
+            "particles.material",
+            "leave material out",
+        )
+    return np.zeros(1, int)
 
 
 def _open_for_filling(run: "Runner") -> None:
