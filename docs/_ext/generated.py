@@ -1,0 +1,39 @@
+"""Write the pages that come from the source before Sphinx reads the others.
+
+They go to ``_generated`` and are included by the pages in ``reference``; so a key, an
+error or a column that changes in the source changes here with the next build.
+"""
+
+from pathlib import Path
+from typing import Any
+
+import case_reference
+import command_reference
+import error_ids
+import metric_reference
+import result_columns
+from sphinx.application import Sphinx
+
+PAGES = {
+    "case-file.md": case_reference.page,
+    "commands.md": command_reference.page,
+    "errors.md": error_ids.page,
+    "metrics.md": metric_reference.page,
+    "particles.md": result_columns.particles,
+    "contacts.md": result_columns.contacts,
+}
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Write the pages when the builder is ready."""
+    app.connect("builder-inited", lambda app: write(Path(app.srcdir) / "_generated"))
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
+
+
+def write(folder: Path) -> None:
+    """Write every page whose text has changed."""
+    folder.mkdir(exist_ok=True)
+    for name, page in PAGES.items():
+        path, text = folder / name, page()
+        if not path.exists() or path.read_text(encoding="utf-8") != text:
+            path.write_text(text, encoding="utf-8")
