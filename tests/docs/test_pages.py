@@ -3,7 +3,9 @@
 import doctest
 import importlib
 import re
+import shlex
 import tomllib
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -103,6 +105,31 @@ def test_tags_in_the_source_are_reading_notes():
         used |= set(re.findall(r"\[([DST]\d+b?)\]", path.read_text(encoding="utf-8")))
     assert used
     assert {tag.upper() for tag in used} <= labels
+
+
+def runs_with_set():
+    """File and settings of the `pestle run` commands that the pages show."""
+    found = []
+    for page in PAGES:
+        for body in blocks(page, "sh"):
+            for line in body.replace("\\\n", " ").splitlines():
+                words = shlex.split(line, comments=True)
+                if words[:2] == ["pestle", "run"] and "--set" in words:
+                    settings = [b for a, b in pairwise(words) if a == "--set"]
+                    found.append((words[2], settings))
+    return found
+
+
+@pytest.mark.parametrize(("case", "settings"), runs_with_set())
+def test_settings_in_pages_can_be_set(case, settings, docs, tmp_path):
+    path = next(iter(ROOT.glob(f"**/examples/{Path(case).name}")), None)
+    if path is None:
+        path = tmp_path / case
+        text = blocks(docs / "quick-start.md", "toml")[0]
+        path.write_text(text, encoding="utf-8")
+    settings = [text.replace("$w", "200") for text in settings]
+    changed = Case.from_file(path, settings)
+    assert changed.canonical() != Case.from_file(path).canonical()
 
 
 def test_commands_in_pages_exist():
