@@ -67,7 +67,6 @@ def _section(definition: Schema) -> list[str]:
 
 
 def _laws(schema: Schema) -> list[str]:
-    from pestle import laws
     from pestle.laws import _base
 
     section = schema["$defs"]["LawSettings"]
@@ -76,11 +75,11 @@ def _laws(schema: Schema) -> list[str]:
         if "title" not in law:
             continue
         name = law["title"]
-        known = _base._REGISTRY.items()
-        aliases = [a for a, parts in known if parts.law.name == name != a]
+        known: dict[str, Any] = {a: p.law for a, p in _base._REGISTRY.items()}
+        aliases = [a for a, law_ in known.items() if law_.name == name != a]
         also = f" (also {', '.join(map(code, aliases))})" if aliases else ""
         parts.append(f"### {code(f'name = {json.dumps(name)}')}{also}\n")
-        parts.append(sentence(laws.get(name).summary) + "\n")
+        parts.append(sentence(getattr(known[name], "summary", "")) + "\n")
         options = [row for row in _rows(law) if row[0] != "`name`"]
         parts.append(table(_HEADER, options) if options else "It has no options.\n")
     return parts

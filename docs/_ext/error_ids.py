@@ -94,7 +94,7 @@ def _ids(node: ast.expr) -> list[str]:
     if isinstance(node, ast.IfExp):
         return _ids(node.body) + _ids(node.orelse)
     if isinstance(node, ast.JoinedStr) and isinstance(node.values[0], ast.Constant):
-        return [f"{node.values[0].value}{kind}" for kind in _KINDS]
+        return [str(node.values[0].value) + kind for kind in _KINDS]
     return []
 
 

@@ -10,6 +10,7 @@ from typing import Any
 import case_reference
 import command_reference
 import error_ids
+import example_list
 import metric_reference
 import result_columns
 from sphinx.application import Sphinx
@@ -18,6 +19,7 @@ PAGES = {
     "case-file.md": case_reference.page,
     "commands.md": command_reference.page,
     "errors.md": error_ids.page,
+    "examples.md": example_list.page,
     "metrics.md": metric_reference.page,
     "particles.md": result_columns.particles,
     "contacts.md": result_columns.contacts,

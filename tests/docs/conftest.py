@@ -9,6 +9,17 @@ DOCS = Path(__file__).parent.parent.parent / "docs"
 sys.path[:0] = [str(DOCS / "_ext"), str(DOCS / "laws")]
 
 
+@pytest.fixture(autouse=True)
+def _registry_as_it_was():
+    """Forget the laws that a test has registered: others ask for all laws."""
+    from pestle.laws import _base
+
+    before = dict(_base._REGISTRY)
+    yield
+    _base._REGISTRY.clear()
+    _base._REGISTRY.update(before)
+
+
 @pytest.fixture(scope="session")
 def docs():
     """Folder of the pages."""

@@ -5,6 +5,7 @@ import re
 import case_reference
 import command_reference
 import error_ids
+import example_list
 import metric_reference
 import pytest
 import result_columns
@@ -94,3 +95,12 @@ def test_columns_of_the_results_are_on_the_page():
     assert all(
         f"`{name}`" in result_columns.contacts() for name in schema.CONTACT_FIELDS
     )
+
+
+def test_examples_say_what_they_are_for():
+    rows = example_list.page().splitlines()[2:]
+    assert len(rows) >= 3
+    for row in rows:
+        _, name, title, purpose, _ = row.split("|")
+        assert title.strip(), name
+        assert len(purpose) > 30, name
