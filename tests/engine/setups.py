@@ -4,6 +4,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
+from pestle.engine import contacts as ct
 from pestle.engine import step as st
 from pestle.engine import walls as wl
 from pestle.engine.engine import Engine, PairRule
@@ -145,3 +146,49 @@ def packing(
 
 
 MDR = Zunker2024()
+
+
+def pair(
+    radius: tuple[float, ...], *, law: Any = MDR, solids: tuple[Solid, ...] = (SOFT,),
+    work_of_adhesion: float = 0.0, step: float = 1.0, gap: float = 0.0,
+) -> Setup:  # fmt: skip
+    """Two spheres on the z axis (one above a rigid wall), too heavy to be moved.
+
+    Moved with `press`, they give the answer of a contact to any path of overlaps.
+    """
+    heavy = [replace(solid, density=1e30 * solid.youngs_modulus) for solid in solids]
+    adhesion = PairRule(work_of_adhesion=work_of_adhesion)
+    count = len(heavy)
+    place = np.zeros((len(radius), 3))
+    place[-1, 2] = sum(radius) + gap
+    return Setup(
+        law=law, position=place, radius=np.array(radius), solids=(*heavy, RIGID),
+        particle_solids=count, material=np.arange(len(radius)) % count, step=step,
+        rules={(a, b): adhesion for a in range(count) for b in range(count + 1)},
+        walls=(Wall(solid=count),) if len(radius) == 1 else (),
+    )  # fmt: skip
+
+
+def press(engine: Engine, depth: float, steps: int) -> Array:
+    """Move the upper sphere of a `pair` down by `depth` [m] in equal steps.
+
+    Returns a row before and one after each step: overlap [m], force [N], stored and
+    dissipated energy [J].  The speed is changed between two steps, at rest, so that the
+    ledger of the engine takes no notice.
+    """
+    step, rows = float(engine.clock[st.DT]), []
+    upper = int(np.argmax(engine.pos[:, 2]))
+    for n in range(steps + 1):
+        engine.clock[st.DT] = step if n < steps else 0.0  # last: only look
+        if n == 0:
+            engine.vel[upper, 2] = -depth / steps / step
+        places = engine.pos[:, 2]
+        overlap = engine.pos[:, 3].sum() - (places.max() - places.min())
+        if len(places) == 1:
+            overlap = engine.pos[0, 3] - places[0]
+        run(engine, 1)
+        push = engine.whist if len(places) == 1 else engine.hist
+        force = push[0, ct.HISTORY - 3] if len(push) else 0.0
+        rows.append((overlap, force, engine.sums[st.STORED], engine.sums[st.PLASTIC]))
+    engine.clock[st.DT] = step
+    return np.array(rows)

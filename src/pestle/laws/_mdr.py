@@ -169,9 +169,9 @@ def side(
     # delta_max of a side at its maximum grows with R [D7b], else it stays [D7]
     before = flat_old + grown - bulk
     reached = before if peak < 0.0 else peak
-    if particle.bulk > 0.0:
-        bulk = max(bulk + particle.shift, 0.0)
     geometric = flat + grown  # delta, to the flat
+    if particle.bulk > 0.0 and geometric > 0.0:
+        bulk = max(bulk + particle.shift, 0.0)
     d = geometric - bulk
     at_peak = d >= reached
     depth = d if at_peak else reached
@@ -301,6 +301,8 @@ def sums(
 
 def release(modulus: float, adhesion: float, radius: float) -> float:
     """Negative overlap at which an elastic adhesive flat lets go, with a margin [m]."""
+    if adhesion <= 0.0 or modulus <= 0.0:
+        return 0.0
     length = (adhesion / modulus) ** 2 * radius
     return 2.5 * length ** (1.0 / 3.0)
 

@@ -44,7 +44,7 @@ class Constants(NamedTuple):
     bulk_j: float
     onset_i: float  # delta_Y / R, the root of (41) [-]
     onset_j: float
-    adhesion: float  # work of adhesion borne by one side [J/m^2]
+    adhesion: float  # work of adhesion of the pair [J/m^2]
     always: float  # radius rule: 0 plastic, 1 eq37
 
 
@@ -123,9 +123,8 @@ class Zunker2024:
         """Reduce two materials to the constants of their two sides."""
         one, two = _side(pair.first, pair), _side(pair.second, pair)
         both = (value for couple in zip(one, two, strict=True) for value in couple)
-        # the energy of the interface is shared: half a side between two particles
-        borne = pair.work_of_adhesion * (1.0 if pair.wall else 0.5)
-        return Constants(*both, borne, float(self.radius_rule == "eq37"))
+        always = float(self.radius_rule == "eq37")
+        return Constants(*both, pair.work_of_adhesion, always)
 
     def particle_constants(self, solid: Solid) -> tuple[float, float]:
         """kappa [Pa] and psi_b [-], as `update` reads them."""
@@ -163,7 +162,7 @@ def yield_onset(modulus: float, yield_stress: float) -> float:
     return high
 
 
-def _first(k: Constants) -> SideConstants:
+def _first(k: Constants, part: float) -> SideConstants:
     return SideConstants(
         k.modulus_i,
         k.yield_i,
@@ -171,12 +170,12 @@ def _first(k: Constants) -> SideConstants:
         k.shear_i,
         k.bulk_i,
         k.onset_i,
-        k.adhesion,
+        k.adhesion * part,
         k.always,
     )
 
 
-def _second(k: Constants) -> SideConstants:
+def _second(k: Constants, part: float) -> SideConstants:
     return SideConstants(
         k.modulus_j,
         k.yield_j,
@@ -184,7 +183,7 @@ def _second(k: Constants) -> SideConstants:
         k.shear_j,
         k.bulk_j,
         k.onset_j,
-        k.adhesion,
+        k.adhesion * part,
         k.always,
     )
 
@@ -193,8 +192,9 @@ def contact(
     k: Constants, g: Geometry, s: State, pi_: Particle, pj: Particle
 ) -> tuple[Response, State, Sums, Sums]:
     """Both sides of a pair against the flat between them."""
-    ki = _first(k)
-    kj = _second(k)
+    # each side bears W R*/R_i, so that both let go at the pair's 1.5 pi W R*
+    ki = _first(k, g.radius / g.radius_i)
+    kj = _second(k, g.radius / g.radius_j)
     grown_i = g.radius_i - pi_.initial_radius
     grown_j = g.radius_j - pj.initial_radius
     fresh = s.share == 0.0
@@ -203,7 +203,11 @@ def contact(
     old_j = -grown_j if fresh else s.flat_j
     approach = g.overlap - grown_i - grown_j - old_i - old_j
     loading = approach >= 0.0
-    moved = first_share if fresh else (s.share if loading else s.share_back)
+    # apart, the flat moves the same way forth and back: where it comes to lie does not
+    # depend on how far apart a pair is still looked at
+    apart = s.radius_i + s.radius_j + s.bulk_i + s.bulk_j == 0.0
+    forth = loading or apart
+    moved = first_share if fresh else (s.share if forth else s.share_back)
     flat_i = old_i + moved * approach
     flat_j = old_j + (1.0 - moved) * approach
     a = side(
@@ -227,6 +231,8 @@ def contact(
     force = way * force_i + (1.0 - way) * force_j
     stiff = up if loading else back
     shift = (force_j - force_i) / stiff if held else 0.0  # evens out the two forces
+    # never touched: the flat is placed anew in the next step
+    virgin = a.depth + b.depth == 0.0 and a.offset + b.offset == 0.0
     weighed = g.weight * force
     uneven = abs(force_i - force_j)
     sums_i = sums(ki, pi_, g, g.radius_i, flat_i, old_i, weighed, a, uneven)
@@ -241,7 +247,7 @@ def contact(
             1.0,
         ),
         State(
-            max(share, 1e-9),
+            0.0 if virgin else max(share, 1e-9),
             share_back,
             flat_i + shift,
             flat_j - shift,
@@ -263,7 +269,7 @@ def wall(
     k: Constants, g: Geometry, s: State, p: Particle
 ) -> tuple[Response, State, Sums]:
     """One particle against a wall: rigid, or elastic through E_c."""
-    ki = _first(k)
+    ki = _first(k, 1.0)
     grown = g.radius_i - p.initial_radius
     old = -grown if s.share == 0.0 else s.flat_i
     flat = g.overlap - grown
@@ -272,7 +278,18 @@ def wall(
     return (
         Response(a.force, a.radius, a.stiffness, a.stored, 1.0),
         State(
-            1.0, 1.0, flat, 0.0, a.peak, 0.0, a.offset, 0.0, a.bulk, 0.0, a.radius, 0.0
+            0.0 if a.depth == 0.0 and a.offset == 0.0 else 1.0,
+            1.0,
+            flat,
+            0.0,
+            a.peak,
+            0.0,
+            a.offset,
+            0.0,
+            a.bulk,
+            0.0,
+            a.radius,
+            0.0,
         ),
         added,
     )
