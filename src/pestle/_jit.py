@@ -33,6 +33,10 @@ def njit(function: Callable[..., Any] | None = None, **options: Any) -> Any:
     """
     if function is None:
         return lambda f: njit(f, **options)
+    if not numba.config.DISABLE_JIT and "." in function.__qualname__:
+        # kernels of two laws, compiled by different processes, may meet in a third: if
+        # their machine code had the same names, one law would run the other's code
+        function.__qualname__ += f"_{fingerprint(function)[:16]}"
     compiled = numba.njit(**{**OPTIONS, **options})(function)
     is_ours = function.__module__.partition(".")[0] == "pestle"
     if is_ours and not options and "<" not in function.__qualname__:
