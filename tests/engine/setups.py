@@ -13,12 +13,8 @@ from pestle.laws import Hertz, Solid, Zunker2024
 Array = np.ndarray[Any, Any]
 
 GLASS = Solid(youngs_modulus=1e8, poisson_ratio=0.25, density=2500.0)
-SOFT = Solid(
-    youngs_modulus=1e8, poisson_ratio=0.3, density=1500.0, yield_stress=1e6
-)
-HARD = Solid(
-    youngs_modulus=3e8, poisson_ratio=0.2, density=2500.0, yield_stress=6e6
-)
+SOFT = Solid(youngs_modulus=1e8, poisson_ratio=0.3, density=1500.0, yield_stress=1e6)
+HARD = Solid(youngs_modulus=3e8, poisson_ratio=0.2, density=2500.0, yield_stress=6e6)
 RIGID = Solid()
 
 

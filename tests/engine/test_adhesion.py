@@ -40,7 +40,9 @@ RADII = [(1.0,), (1.0, 1.0), (1.0, 0.5), (0.3, 1.5)]
 def test_pull_off_force(radius, solids):
     """-1.5 pi W R*: between walls, equal and unequal spheres, equal and unequal solids."""
     back, r, _, _ = separate(radius, solids)
-    assert back[:, 1].min() == pytest.approx(jkr.pull_off(r, work_of_adhesion=W), rel=3e-4)
+    assert back[:, 1].min() == pytest.approx(
+        jkr.pull_off(r, work_of_adhesion=W), rel=3e-4
+    )
 
 
 def branch(overlaps, r, e):

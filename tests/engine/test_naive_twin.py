@@ -34,7 +34,9 @@ def compare(setup, steps, *, rtol, rebuilds=2):
 
 def speeds(count, seed=3, scale=1.0):
     random = np.random.default_rng(seed)
-    return scale * random.normal(size=(count, 3)), scale * random.normal(size=(count, 3))
+    return scale * random.normal(size=(count, 3)), scale * random.normal(
+        size=(count, 3)
+    )
 
 
 BOTH = {
