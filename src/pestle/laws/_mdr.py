@@ -29,8 +29,9 @@ class Side(NamedTuple):
 
     force: float  # [N]
     radius: float  # contact radius a [m]
-    stiffness: float  # dF/d delta on the elastic branch [N/m]
-    slope: float  # dF/d delta while loading [N/m]
+    stiffness: float  # dF/d delta on the elastic branch, bulk included [N/m]
+    slope: float  # dF/d delta while loading, bulk included [N/m]
+    elastic: float  # elastic depth of the indenter, A/2 [m]
     stored: float  # [J]
     peak: float  # delta_max below the maximum, -1 at it [m]
     offset: float  # c_A, 0 before yield [m^2]
@@ -49,7 +50,7 @@ class Particle(NamedTuple):
     free: float  # free-surface fraction psi [-]
     bulk: float  # 1 while the bulk response is on
     shift: float  # mean surface displacement to be used in the next step [m]
-    shift_last: float  # and the one found in the last step [m]
+    inside: float  # volume of the caps beyond the flats in the last step [m^3]
     compress: float  # contact area over volume, A_con / V_geo [1/m]
     growth: float  # last growth of R [m]
 
@@ -57,14 +58,14 @@ class Particle(NamedTuple):
 class Sums(NamedTuple):
     """What one side of a contact adds to its particle in one step."""
 
-    volume: float  # displaced minus elastic volume [m^3]
+    volume: float  # volume displaced by the flat's motion [m^3]
     caps: float  # 2 pi R delta, area of the caps [m^2]
     flows: float  # 1 if a yielded contact moves inwards at its maximum
     excess: float  # contact area minus caps at the maximum, A' [m^2]
     area: float  # contact area [m^2]
     cap_volume: float  # [m^3]
     strain: float  # elastic volume strain [-]
-    shift: float  # area times displacement of the surface [m^3]
+    inside: float  # volume of the cap beyond the flat, weighed [m^3]
     imbalance: float  # |F_i - F_j| [N]
 
 
@@ -250,6 +251,7 @@ def side(
         a,
         stiffness + squeeze,
         slope + squeeze,
+        half,
         ease * stored + 0.5 * squeeze * bulk * bulk,
         -1.0 if at_peak else depth,
         offset,
@@ -274,27 +276,23 @@ def sums(
 ) -> Sums:
     """Return what a side adds to its particle."""
     first = particle.initial_radius
-    whole = 4.0 / 3.0 * pi * first**3
     grown = radius - first
     d = max(flat + grown, 0.0)
     step = flat - flat_old
     active = a.radius > 0.0 or a.bulk > 0.0  # transmits force or adheres [D17]
-    lever = 1.0 / (3.0 * k.bulk * particle.volume)
-    strain = -force * (first - flat) * lever  # (38) with [D11], [D12]
-    strain_old = -g.force * (first - flat_old) * lever
+    strain = -force * (first - flat) / (3.0 * k.bulk * particle.volume)  # (38) [D11]
     displaced = pi * step * (2.0 * flat * first - flat * flat + radius**2 - first**2)
-    volume = g.weight * displaced + whole * (strain - strain_old)
     flows = a.at_peak > 0.0 and a.offset < 0.0 and step > 0.0
-    shift = step + particle.growth
+    cap = pi * d * d * (3.0 * radius - d) / 3.0
     return Sums(
-        volume if active else whole * (strain - strain_old),
+        g.weight * displaced if active else 0.0,
         g.weight * 2.0 * pi * radius * d if active else 0.0,
         1.0 if flows or k.always > 0.0 else 0.0,
         g.weight * (a.area - 2.0 * pi * radius * max(a.depth + a.bulk, 0.0)),
         g.weight * a.area,
-        pi * d * d * (3.0 * radius - d) / 3.0,
+        cap,
         strain,
-        g.weight * a.area * shift,
+        g.weight * cap,
         imbalance,
     )
 
@@ -326,17 +324,19 @@ def update(
     fade = fade * fade * (3.0 - 2.0 * fade)
     growth = 0.0
     if s.flows > 0.0 and not bulk and open_part > 0.0:
-        growth = max(s.volume / (sphere * open_part), 0.0) * fade
+        elastic = whole * (1.0 + strain) - p.volume  # -Delta V^e
+        growth = max((s.volume + elastic) / (sphere * open_part), 0.0) * fade
         growth = min(growth, 1e-3 * first)
-    mean = s.shift / s.area if s.area > 0.0 else 0.0
-    shift = 2.0 * mean - p.shift_last if bulk and p.bulk > 0.0 else mean
+    # mean displacement of the surface: a state's difference, so jitter does not add up
+    wide = max(s.area, 0.5 * s.caps)
+    shift = (s.inside - p.inside) / wide if wide > 0.0 else 0.0
     return radius + growth, Particle(
         first,
         whole * (1.0 + strain),
         free,
         1.0 if bulk else 0.0,
         shift if bulk else 0.0,
-        mean,
+        s.inside,
         s.area / hull,
         growth,
     )

@@ -227,16 +227,22 @@ def contact(
     share_back = (
         b.stiffness / back if held else (first_share if fresh else s.share_back)
     )
-    way = share if loading else share_back
+    # evening out: one side loads while the other unloads, by less than an elastic depth
+    inwards = force_j >= force_i
+    gives_i = a.slope if inwards else a.stiffness
+    gives_j = b.stiffness if inwards else b.slope
+    gives = gives_i + gives_j
+    way = gives_j / gives if held else 0.5
     force = way * force_i + (1.0 - way) * force_j
-    stiff = up if loading else back
-    shift = (force_j - force_i) / stiff if held else 0.0  # evens out the two forces
+    most = abs(approach) + 0.02 * min(a.elastic, b.elastic)
+    shift = 0.5 * (force_j - force_i) / gives if held else 0.0
+    shift = min(max(shift, -most), most)
     # never touched: the flat is placed anew in the next step
     virgin = a.depth + b.depth == 0.0 and a.offset + b.offset == 0.0
     weighed = g.weight * force
     uneven = abs(force_i - force_j)
-    sums_i = sums(ki, pi_, g, g.radius_i, flat_i, old_i, weighed, a, uneven)
-    sums_j = sums(kj, pj, g, g.radius_j, flat_j, old_j, weighed, b, uneven)
+    sums_i = sums(ki, pi_, g, g.radius_i, flat_i + shift, old_i, weighed, a, uneven)
+    sums_j = sums(kj, pj, g, g.radius_j, flat_j - shift, old_j, weighed, b, uneven)
     stiffness = a.stiffness * b.stiffness / back if held else 0.0
     return (
         Response(
