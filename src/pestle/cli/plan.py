@@ -6,6 +6,8 @@ import typer
 
 from pestle.cli.options import AsJson, CaseFile, Settings
 
+_LOADED = 4.0  # below this, kernels were read from disk [s]
+
 
 def plan(case: CaseFile, settings: Settings = None, as_json: AsJson = False) -> None:
     """Say what a run would take: particles, time step, steps, memory, time."""
@@ -26,11 +28,21 @@ def plan(case: CaseFile, settings: Settings = None, as_json: AsJson = False) -> 
         ("  limited by", str(planned.time_step_reason)),
         ("steps", f"{planned.steps}"),
         ("memory", memory(planned.memory_bytes)),
-        ("wall time", f"about {duration(planned.wall_time_s)}"),
+        ("wall time", f"about {duration(planned.wall_time_s)}, without compiling"),
+        ("  compiling", _compiling(planned.compile_time_s)),
     ]
     print_table(rows)
     typer.echo("")
     print_table(_stage_rows(planned.stages))
+
+
+def _compiling(seconds: float) -> str:
+    """Say what is left to compile: nothing, for the probe ran the run's own kernels."""
+    from pestle.cli.printing import duration
+
+    if seconds < _LOADED:
+        return "none: the compiled laws are on disk"
+    return f"none left: took {duration(seconds)} just now, kept for the run"
 
 
 def _stage_rows(stages: list[dict[str, Any]]) -> list[list[str]]:
@@ -43,6 +55,8 @@ def _stage_rows(stages: list[dict[str, Any]]) -> list[list[str]]:
 
 
 def _cell(key: str, value: Any) -> str:
+    if value is None:
+        return ""
     from pestle.cli.printing import quantity
 
     if isinstance(value, float):

@@ -1,20 +1,23 @@
 """A dry run: what a case would take, measured by a short probe."""
 
 from dataclasses import dataclass, field
-from pathlib import Path
-from tempfile import TemporaryDirectory
-from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pestle.engine import step as st
+from pestle.simulation.probing import Probe, Sample, probe, sample_of
 
 if TYPE_CHECKING:
     from pestle.config import Case
 
-PROBE = 2.0
-"""Wall time of the probe [s]."""
+PRESSED = 0.85
+"""Relative density that a powder is taken to be pressed to [-]."""
+
+SETTLING = 0.5
+"""Step of a powder coming to rest over that of a first touch [-]."""
+
+ROW = 1.5e-3
+"""Wall time of a row of the history, for the estimate [s]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,95 +29,132 @@ class Plan:
     time_step_reason: str
     steps: int
     memory_bytes: int
-    wall_time_s: float  # [s]
+    wall_time_s: float  # without compiling [s]
     stages: list[dict[str, Any]] = field(default_factory=list)
+    compile_time_s: float = 0.0  # that this plan took and the run will not need [s]
 
 
 def plan(case: "Case") -> Plan:
     """Estimate steps, memory and wall time of a case.
 
-    The probe runs the law on the particles as they start, so a powder that is still
-    loose is cheaper than the pressed one: the estimate doubles the measured cost.
+    The probe times steps of the run's own kernels on a powder in which every particle
+    has eight contacts.  The lengths of the steps are rough where a stress or a force
+    ends them: the powder is taken to be pressed to a relative density of 0.85.
     """
     from pestle.simulation.build import make_engine
-    from pestle.simulation.runner import Runner
-    from pestle.simulation.start import start
+    from pestle.simulation.start import softening
+    from pestle.simulation.threads import set_threads
 
-    with TemporaryDirectory() as folder:
-        run = Runner(case, Path(folder))
-        start(run)
-    soft = run.engine
-    hard, _ = make_engine(case)
-    order = np.argsort(soft.ids)
-    radius = soft.pos[order, 3]
-    density = soft.vel[order, 3] / (4.0 / 3.0 * np.pi * radius**3)
-    hard.set_particles(soft.pos[order, :3], radius, soft.mat[order], density)
-    hard.start()
-    pressed = pressed_step(case, radius, density)
-    hard.advance(1)
-    begin, first = perf_counter(), hard.steps
-    while perf_counter() - begin < PROBE and hard.advance(50) == st.RAN:
-        pass
-    cost = 2.0 * (perf_counter() - begin) / max(hard.steps - first, 1)
+    sample = sample_of(case)
+    set_threads(None, sample.count)
+    hard = probe(make_engine(case)[0], sample)
+    soft = hard
+    if case.process[0].step == "fill":
+        engine, _ = make_engine(case, filling=True, softening=softening(case))
+        soft = probe(engine, sample)
+    pressed = pressed_step(case, sample)
     stages, total, wall = [], 0, 0.0
     for name, step in zip(case.stage_names, case.process, strict=True):
-        dt = float(soft.clock[st.DT]) if step.step == "fill" else pressed
-        seconds = duration(case, step, run.memory.get("column", 0.0))
-        steps = int(np.ceil(seconds / dt))
-        stages.append({"name": name, "time [s]": seconds, "steps": steps})
-        total += steps
-        wall += steps * cost * (0.2 if step.step == "fill" else 1.0)
-    size = sum(a.nbytes for a in vars(hard).values() if isinstance(a, np.ndarray))
+        seconds = duration(case, step, sample)
+        steps = int(np.ceil(seconds / pressed))
+        spent = steps * hard.cost
+        if step.step == "fill":
+            steps, spent = filling(case, seconds, sample, soft, hard)
+        spent += ROW * steps / case.output.history_every
+        stages.append(
+            {
+                "name": name,
+                "time [s]": seconds,
+                "steps": steps,
+                "wall time [s]": spent,
+                "inertial number [-]": inertial_number(case, step, sample),
+            }
+        )
+        total, wall = total + steps, wall + spent
     reason = (
         "given in engine.time_step"
         if case.engine.time_step != "auto"
         else f"{case.engine.safety:g} of the critical step of a pressed particle with "
         "eight contacts of half its radius"
     )
-    return Plan(len(radius), pressed, reason, total, 2 * size, wall, stages)
+    compiling = hard.compiling + (soft.compiling if soft is not hard else 0.0)
+    memory = 2 * max(hard.memory, soft.memory)
+    return Plan(sample.count, pressed, reason, total, memory, wall, stages, compiling)
 
 
-def pressed_step(case: "Case", radius: Any, density: Any) -> float:
+def pressed_step(case: "Case", sample: Sample) -> float:
     """Step for the stiffest state expected: eight contacts of radius R/2 [s]."""
     if case.engine.time_step != "auto":
         return float(case.engine.time_step)
-    modulus = 0.0
+    moduli = []
     for name in case.powders:
         m = case.materials[name]
         assert m.youngs_modulus is not None
         assert m.poisson_ratio is not None
-        modulus = max(modulus, m.youngs_modulus / (1.0 - m.poisson_ratio**2) / 2.0)
-    mass = 4.0 / 3.0 * np.pi * radius**3 * density
-    stiffness = 8.0 * 3.5 * 0.8 * 2.0 * modulus * 0.5 * radius
+        moduli.append(m.youngs_modulus / (1.0 - m.poisson_ratio**2) / 2.0)
+    mass = 4.0 / 3.0 * np.pi * sample.radius**3 * sample.density
+    modulus = np.array(moduli)[sample.material]
+    stiffness = 8.0 * 3.5 * 0.8 * 2.0 * modulus * 0.5 * sample.radius
     return float(case.engine.safety * np.min(2.0 * np.sqrt(mass / (2.0 * stiffness))))
 
 
-def duration(case: "Case", step: Any, column: float) -> float:
+def filling(
+    case: "Case", seconds: float, sample: Sample, soft: Probe, hard: Probe
+) -> tuple[int, float]:
+    """Steps of a fill stage, soft and then hard, and their wall time [s]."""
+    gravity = float(np.abs(case.engine.gravity).max())
+    relax = 0.05 * (sample.mean / max(gravity, 1e-12)) ** 0.5
+    part = SETTLING if case.engine.time_step == "auto" else 1.0
+    fall = int(np.ceil(seconds / (part * soft.longest_step)))
+    rest = int(np.ceil(relax / hard.longest_step))
+    return fall + rest, fall * soft.cost + rest * hard.cost
+
+
+def powder_heights(case: "Case", sample: Sample) -> tuple[float, float, float]:
+    """Heights of the powder as dropped, filled and pressed, in a die [m]."""
+    if case.die is None:
+        return 0.0, 0.0, 0.0
+    solid = sample.count * sample.mean_volume / case.die.area
+    room = (1.0 - sample.mean / case.die.radius) ** 2
+    return solid / (0.30 * room), solid / (0.60 * room), solid / PRESSED
+
+
+def duration(case: "Case", step: Any, sample: Sample) -> float:
     """Expected length of a step of the process [s]."""
     given = getattr(step, "duration", None)
     if given is not None:
         return float(given)
+    dropped, filled, pressed = powder_heights(case, sample)
     if step.step == "fill":
         gravity = float(np.linalg.norm(case.engine.gravity))
-        return min(1.5 * (2.0 * column / max(gravity, 1e-12)) ** 0.5, step.max_time)
+        fall = (2.0 * dropped / max(gravity, 1e-12)) ** 0.5
+        return float(min(2.0 * fall, step.max_time))
+    if step.step == "move" and step.program is not None:
+        return float(step.program[-1][0])
+    way = 0.0
     if step.step == "move":
-        if step.program is not None:
-            return float(step.program[-1][0])
         way = (
             abs(step.to) if step.turn_at is None else 2.0 * step.turn_at - step.back_to
         )
-        return float(way / step.at)
-    assert case.die is not None or step.step == "press"
-    height = case.die.height if case.die else step.to_displacement
-    way = {
-        "press": step.to_displacement
-        if step.step == "press" and step.to_displacement
-        else 0.3 * height,
-        "unload": 0.05 * height,
-        "eject": height,
-        "crush": getattr(step, "to", 0.1)
-        * 2.0
-        * (case.die.radius if case.die else 0.0)
-        * 0.5,
-    }.get(step.step, height)
+    elif step.step == "press":
+        way = step.to_displacement or filled - pressed or sample.mean
+    elif step.step == "unload":
+        clearance = sample.mean if step.clearance is None else step.clearance
+        way = 0.1 * pressed + clearance
+    elif case.die is not None and step.step == "eject":
+        way = case.die.height
+    elif case.die is not None and step.step == "crush":
+        way = 0.5 * step.to * 2.0 * case.die.radius  # it breaks about half-way
     return float(way / step.at)
+
+
+def inertial_number(case: "Case", step: Any, sample: Sample) -> float | None:
+    """I = rate d sqrt(rho/p) at the end of a press: quasi-static below 1e-3 [-]."""
+    if step.step != "press" or case.die is None:
+        return None
+    pressure = step.to_stress or (step.to_force or 0.0) / case.die.area
+    if not pressure:
+        return None
+    rate = step.at / powder_heights(case, sample)[2]
+    density = sample.mean_mass / sample.mean_volume
+    return float(rate * 2.0 * sample.mean * (density / pressure) ** 0.5)

@@ -1,6 +1,5 @@
 """How a run begins: particles placed, filled soft, hardened; or read."""
 
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -25,7 +24,7 @@ def start(run: "Runner") -> None:
     case = run.case
     filling = case.process[0].step == "fill"
     if case.particles[0].start_from is not None:
-        continue_from(run, case.resolve(case.particles[0].start_from))
+        continue_from_run(run)
         return
     run.engine, run.walls = make_engine(
         case, filling=filling, softening=softening(case)
@@ -36,7 +35,7 @@ def start(run: "Runner") -> None:
         material = table.material
     elif case.die is not None and filling:
         random = np.random.default_rng(case.seed)
-        radius, density, material = _drawn(case, random)
+        radius, density, material = drawn(case, random)
         place, run.memory["column"] = place_in_die(radius, case.die.radius, random)
     else:
         raise InputError(
@@ -55,17 +54,23 @@ def start(run: "Runner") -> None:
     _initial_energy(run)
 
 
-def _drawn(case: "Case", random: np.random.Generator) -> tuple[Array, Array, Array]:
-    """Radii [m], densities [kg/m^3] and materials of generated powders, in turn."""
+def drawn(
+    case: "Case", random: np.random.Generator, share: float = 1.0
+) -> tuple[Array, Array, Array]:
+    """Radii [m], densities [kg/m^3] and materials of generated powders, in turn.
+
+    With `share` below one, so much of each powder, but at least one particle.
+    """
     powders = case.powders
     radius, density, material = [], [], []
     for group in case.particles:
         assert group.radius is not None
         assert group.count is not None
         assert group.material is not None
-        radius.append(draw_radii(group.radius, group.count, random))
-        density.append(np.full(group.count, case.materials[group.material].density))
-        material.append(np.full(group.count, powders.index(group.material)))
+        count = max(round(share * group.count), 1)
+        radius.append(draw_radii(group.radius, count, random))
+        density.append(np.full(count, case.materials[group.material].density))
+        material.append(np.full(count, powders.index(group.material)))
     return np.concatenate(radius), np.concatenate(density), np.concatenate(material)
 
 
@@ -107,20 +112,15 @@ def harden(run: "Runner") -> None:
     _initial_energy(run)
 
 
-def continue_from(run: "Runner", folder: Path) -> None:
+def continue_from_run(run: "Runner") -> None:
     """Start from the last state of an earlier run."""
-    arrays, facts = checkpoint.read(folder)
-    number = _renumbered(run.case, facts.get("powders"))
+    arrays, facts, radius, density, material = earlier(run.case)
     run.engine, run.walls = make_engine(run.case)
     engine = run.engine
     order = np.argsort(arrays["ids"])
-    multi = engine.layout.fields and arrays["field"].shape[1] > 1
-    radius = arrays["field"][order, 0] if multi else arrays["pos"][order, 3]
-    mass = arrays["vel"][order, 3]
-    density = mass / (4.0 / 3.0 * np.pi * radius**3)
-    material = number[arrays["mat"][order]]
     engine.set_particles(arrays["pos"][order, :3], radius, material, density)
-    engine.vel[:, :3] = arrays["vel"][order][engine.ids - 1, :3]
+    moving = [0, 1, 2, 4, 5, 6]
+    engine.vel[:, moving] = arrays["vel"][order][engine.ids - 1][:, moving]
     same_law = facts.get("law") == run.case.canonical_law()
     same_powders = facts.get("powders") == list(run.case.powders)
     if same_law and same_powders and facts.get("walls") == run.walls:
@@ -131,6 +131,24 @@ def continue_from(run: "Runner", folder: Path) -> None:
         engine.clock[st.TIME] = 0.0
     engine.start()
     _initial_energy(run)
+
+
+def earlier(
+    case: "Case",
+) -> tuple[dict[str, Array], dict[str, Any], Array, Array, Array]:
+    """Last state of the run that a case continues: arrays and facts of its checkpoint.
+
+    Then, by the order of the ids, initial radii [m], densities [kg/m^3] with mass
+    scaling, and materials as this case numbers them.
+    """
+    assert case.particles[0].start_from is not None
+    arrays, facts = checkpoint.read(case.resolve(case.particles[0].start_from))
+    order = np.argsort(arrays["ids"])
+    grows = arrays["field"].shape[1] > 1
+    radius = arrays["field"][order, 0] if grows else arrays["pos"][order, 3]
+    density = arrays["vel"][order, 3] / (4.0 / 3.0 * np.pi * radius**3)
+    number = _renumbered(case, facts.get("powders"))
+    return arrays, facts, radius, density, number[arrays["mat"][order]]
 
 
 def _renumbered(case: "Case", before: list[str] | None) -> Array:
