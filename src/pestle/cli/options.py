@@ -26,7 +26,8 @@ Threads = Annotated[
         metavar="N",
         min=1,
         max=1024,
-        help="Number of threads; the result does not depend on it.",
+        help="Number of threads, by default one for few particles and otherwise all "
+        "cores; the result does not depend on it.",
         show_default=False,
     ),
 ]

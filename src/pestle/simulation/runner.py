@@ -277,7 +277,8 @@ def run(
     out : Path
         Folder of the results.
     threads : int, optional
-        Number of threads; the results do not depend on it [-].
+        Number of threads, by default one for few particles and otherwise all cores;
+        the results do not depend on it [-].
     resume : bool
         Continue from the last checkpoint of the same case in `out`.
     progress : callable, optional
@@ -300,11 +301,13 @@ def run(
     begin = time.perf_counter()
     runner = Runner(case, folder)
     if resume:
-        set_threads(threads)
-        output = Output(runner, after=runner.resume())
+        after = runner.resume()
+        set_threads(threads, len(runner.engine.pos))
+        output = Output(runner, after=after)
     else:
         start(runner)
-        output = Output(runner, threads=set_threads(threads))
+        threads = set_threads(threads, len(runner.engine.pos))
+        output = Output(runner, threads=threads)
     with _Interrupts(runner), output:
         stopped = runner.go(output, progress)
     spent = time.perf_counter() - begin
