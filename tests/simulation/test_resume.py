@@ -7,82 +7,23 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-CASE = """
-schema_version = 1
-seed = 3
-[law]
-name = "{law}"
-[materials.powder]
-youngs_modulus = "5 MPa"
-poisson_ratio = 0.3
-yield_stress = "0.1 MPa"
-density = 1500
-[materials.tool]
-rigid = true
-[contacts]
-sliding_friction = 0.5
-restitution = 0.3
-work_of_adhesion = {adhesion}
-[particles]
-material = "powder"
-count = {count}
-radius = {{ distribution = "uniform", minimum = "0.4 mm", maximum = "0.6 mm" }}
-[die]
-radius = "2 mm"
-height = "12 mm"
-material = "tool"
-[[process]]
-step = "fill"
-[[process]]
-step = "press"
-to = "{to}"
-at = "{at}"
-[[process]]
-step = "hold"
-for = "2 ms"
-stress = "{to}"
-[[process]]
-step = "unload"
-at = "0.2 m/s"
-[output]
-history_every = 100
-frames = 3
-checkpoint_every = {every}
-"""
-
-
-def write_case(folder: Path, **changes: object) -> Path:
-    values: dict[str, object] = {
-        "law": "zunker2024",
-        "adhesion": 0.1,
-        "count": 40,
-        "to": "20 kPa",
-        "at": "0.2 m/s",
-        "every": 500,
-    }
-    path = folder / "case.toml"
-    path.write_text(CASE.format(**(values | changes)))
-    return path
+from pestle import simulation
+from pestle.config import Case
+from pestle.errors import InputError
+from pestle.simulation import Progress, StopReason, checkpoint
+from simulation.cases import tiny_case
 
 
 def command(case: Path, out: Path, *more: str) -> list[str]:
     program = "from pestle.cli import main; raise SystemExit(main())"
-    return [
-        sys.executable,
-        "-c",
-        program,
-        "run",
-        str(case),
-        "--out",
-        str(out),
-        "--quiet",
-        *more,
-    ]
+    words = [sys.executable, "-c", program, "run", str(case), "--out", str(out)]
+    return [*words, "--quiet", *more]
 
 
 def digest(out: Path) -> str:
@@ -99,8 +40,21 @@ def run(case: Path, out: Path, *more: str) -> str:
     return digest(out)
 
 
+def interrupt_after(calls: int) -> Callable[[Progress], None]:
+    """Progress report that presses Ctrl-C once."""
+    seen = 0
+
+    def report(progress: Progress) -> None:
+        nonlocal seen
+        seen += 1
+        if seen == calls:
+            signal.raise_signal(signal.SIGINT)
+
+    return report
+
+
 def kill_and_resume(case: Path, out: Path, seconds: list[float], how: int) -> int:
-    """Run with a kill after each of the times; return how many hit a running process."""
+    """Run with a kill after each of the times; return how many hit a running one."""
     hit = 0
     for wait in seconds:
         started = (out / "checkpoint.npz").exists()
@@ -115,40 +69,60 @@ def kill_and_resume(case: Path, out: Path, seconds: list[float], how: int) -> in
 
 
 def test_interrupted_run_goes_on_to_the_same_bits(tmp_path: Path) -> None:
-    case = write_case(tmp_path)
-    whole = run(case, tmp_path / "whole")
-    broken = tmp_path / "broken"
-    process = subprocess.Popen(command(case, broken))
-    while not (broken / "checkpoint.npz").exists():
-        time.sleep(0.05)
-    process.send_signal(signal.SIGTERM)
-    assert process.wait(timeout=60) == 130
-    assert run(case, broken, "--resume") == whole
+    case = Case.from_file(tiny_case(tmp_path))
+    whole, broken = tmp_path / "whole", tmp_path / "broken"
+    steps = simulation.run(case, whole).steps
+    reached = []
+    for calls in (5, 25, 9):  # filling, on the way, under load
+        report = interrupt_after(calls)
+        result = simulation.run(case, broken, resume=bool(reached), progress=report)
+        assert result.stop_reason == StopReason.INTERRUPTED
+        reached.append(result.steps)
+    assert 0 < reached[0] < reached[1] < reached[2] < steps
+    assert simulation.run(case, broken, resume=True).steps == steps
+    assert digest(broken) == digest(whole)
 
 
 def test_threads_do_not_change_a_bit(tmp_path: Path) -> None:
-    case = write_case(tmp_path)
-    one = run(case, tmp_path / "one", "--threads", "1")
-    assert run(case, tmp_path / "two", "--threads", "2") == one
+    case = Case.from_file(tiny_case(tmp_path))
+    for threads in (1, 2):
+        simulation.run(case, tmp_path / str(threads), threads=threads)
+    assert digest(tmp_path / "1") == digest(tmp_path / "2")
 
 
 def test_resume_of_another_case_is_refused(tmp_path: Path) -> None:
-    case = write_case(tmp_path, to="5 kPa")
-    run(case, tmp_path / "out")
-    changed = write_case(tmp_path, to="6 kPa")
-    done = subprocess.run(
-        command(changed, tmp_path / "out", "--resume"), capture_output=True, text=True
-    )
-    assert done.returncode == 2
-    assert "error[case-changed]" in done.stderr
+    path, out = tiny_case(tmp_path), tmp_path / "out"
+    path.write_text(path.read_text().partition('[[process]]\nstep = "press"')[0])
+    simulation.run(Case.from_file(path), out)
+    with pytest.raises(InputError) as caught:
+        simulation.run(Case.from_file(path, ["seed=4"]), out, resume=True)
+    assert caught.value.id == "case-changed"
+
+
+def test_sigterm_leaves_a_checkpoint(tmp_path: Path) -> None:
+    case, out = tiny_case(tmp_path, hold="100 s"), tmp_path / "out"
+    process = subprocess.Popen(command(case, out))
+    while not (out / "checkpoint.npz").exists():
+        assert process.poll() is None
+        time.sleep(0.05)
+    process.send_signal(signal.SIGTERM)
+    assert process.wait(timeout=60) == 130
+    _, facts = checkpoint.read(out)
+    assert facts["steps"] > 0
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("law", ["hertz", "zunker2024"])
 def test_five_kills_in_a_long_run(tmp_path: Path, law: str) -> None:
     """At least 1e5 steps with rebuilds; SIGKILL at random; one and two threads."""
-    case = write_case(
-        tmp_path, law=law, count=200, to="60 kPa", at="20 mm/s", every=3000
+    case = tiny_case(
+        tmp_path,
+        law=law,
+        count=200,
+        to="60 kPa",
+        at="20 mm/s",
+        hold="2 ms",
+        every=3000,
     )
     begin = time.monotonic()
     whole = run(case, tmp_path / "whole", "--threads", "1")
