@@ -124,12 +124,12 @@ class Twin:
         if turned > 0:
             flat *= norm(m.spring) / turned
         soften = min(kt / m.stiffness, 1.0) if m.stiffness > 0 else 1.0
-        m.spring = flat * soften - kt * dt * across
-        friction = m.spring - damping * sqrt(mass * kt) * across
         limit = rule.sliding_friction * abs(response.force + damp)
-        if norm(friction) > limit:
-            friction *= limit / norm(friction)
-            m.spring = friction
+        spring = flat * soften - kt * dt * across
+        m.spring = spring * min(limit / max(norm(spring), 1e-300), 1.0)
+        # the dashpot counts towards the limit, but never stretches the spring
+        friction = m.spring - damping * sqrt(mass * kt) * across
+        friction *= min(limit / max(norm(friction), 1e-300), 1.0)
         torque = np.zeros(3)
         if self.setup.rolling:
             roll = spins[0] - spins[1]

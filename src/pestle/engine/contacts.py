@@ -18,6 +18,7 @@ BLOCK = 128  # contacts in a block
 W = BLOCK + 8  # length of a scratch row: no power of two, so that rows spread over the cache
 # scratch rows
 DX, D2, VX, OX, RA, RB, MASS, KIND, WEIGHT, WX = 0, 3, 4, 7, 10, 11, 12, 13, 14, 15
+BEFORE = WEIGHT  # of a wall contact, which has no weight: squared distance a step ago
 H0 = 18  # history: spring force 3, its stiffness, normal force, energy, damping force
 HISTORY = 7
 ROLLING = 3  # further history of the rolling spring
@@ -159,13 +160,17 @@ def make_batch(
             nx, ny, nz = x * inverse, y * inverse, z * inverse
             ux, uy, uz = S[VX * W + c], S[(VX + 1) * W + c], S[(VX + 2) * W + c]
             ra, rb, mass = S[RA * W + c], S[RB * W + c], S[MASS * W + c]
-            weight = S[WEIGHT * W + c]
+            weight = 1.0 if is_wall else S[WEIGHT * W + c]
             star = ra if is_wall else ra * rb / (ra + rb)
             # approach since the last step, from the exact distance then
             before2 = (
-                d2
-                - dt * (2.0 * (x * ux + y * uy + z * uz))
-                + dt * dt * (ux * ux + uy * uy + uz * uz)
+                S[BEFORE * W + c]
+                if is_wall
+                else (
+                    d2
+                    - dt * (2.0 * (x * ux + y * uy + z * uz))
+                    + dt * dt * (ux * ux + uy * uy + uz * uz)
+                )
             )
             before = sqrt(max(before2, 0.0))
             approach = (before2 - d2) / (before + d)
@@ -190,9 +195,8 @@ def make_batch(
                 S[(OX + 1) * W + c] * arm,
                 S[(OX + 2) * W + c] * arm,
             )
-            ux -= oy * nz - oz * ny
-            uy -= oz * nx - ox * nz
-            uz -= ox * ny - oy * nx
+            wx, wy, wz = oy * nz - oz * ny, oz * nx - ox * nz, ox * ny - oy * nx
+            ux, uy, uz = ux - wx, uy - wy, uz - wz
             vn = ux * nx + uy * ny + uz * nz
             tx, ty, tz = ux - vn * nx, uy - vn * ny, uz - vn * nz
             damp = -ratio * r.damping * sqrt(mass * r.stiffness) * vn
@@ -209,25 +213,30 @@ def make_batch(
             turn = sqrt(size2 / (flat2 + 1e-300)) if flat2 > 0.0 else 0.0
             soften = kt / stiff_old if kt < stiff_old else 1.0
             held2 = size2 / stiff_old if stiff_old > 0.0 else 0.0  # 2 x energy before
-            turn *= soften
             s0 *= turn
             s1 *= turn
             s2 *= turn
-            f0, f1, f2 = s0 - kt * dt * tx, s1 - kt * dt * ty, s2 - kt * dt * tz
+            f0 = soften * s0 - kt * dt * tx
+            f1 = soften * s1 - kt * dt * ty
+            f2 = soften * s2 - kt * dt * tz
+            total = sqrt(f0 * f0 + f1 * f1 + f2 * f2)
+            cut = limit / (total + 1e-300) if total > limit else 1.0
+            f0 *= cut
+            f1 *= cut
+            f2 *= cut
+            # the dashpot counts towards the limit, but never stretches the spring
             gt = ratio * r.damping * sqrt(mass * kt)
             g0, g1, g2 = f0 - gt * tx, f1 - gt * ty, f2 - gt * tz
             total = sqrt(g0 * g0 + g1 * g1 + g2 * g2)
-            slides = total > limit
-            cut = limit / (total + 1e-300) if slides else 1.0
+            cut = limit / (total + 1e-300) if total > limit else 1.0
             g0 *= cut
             g1 *= cut
             g2 *= cut
-            f0 = g0 if slides else f0
-            f1 = g1 if slides else f1
-            f2 = g2 if slides else f2
             held = (f0 * f0 + f1 * f1 + f2 * f2) / kt if kt > 0.0 else 0.0
-            # work against the mean spring force, and what dashpots take
+            # work against the mean of the old force, at its lever, and the new one; and
+            # what dashpots take
             slid = -0.5 * dt * ((s0 + f0) * tx + (s1 + f1) * ty + (s2 + f2) * tz)
+            slid += 0.5 * dt * approach * inverse * (s0 * wx + s1 * wy + s2 * wz)
             eddy = -dt * ((g0 - f0) * tx + (g1 - f1) * ty + (g2 - f2) * tz)
 
             m0 = m1 = m2 = 0.0
@@ -238,12 +247,13 @@ def make_batch(
                 wx, wy, wz = wx - wn * nx, wy - wn * ny, wz - wn * nz
                 kr = kt * star * star
                 b0, b1, b2 = S[q], S[q + W], S[q + 2 * W]
+                old = (b0 * b0 + b1 * b1 + b2 * b2) / (stiff_old * star * star + 1e-300)
                 bn = b0 * nx + b1 * ny + b2 * nz
                 b0, b1, b2 = b0 - bn * nx, b1 - bn * ny, b2 - bn * nz
                 ease = soften * soften * soften
-                old = (b0 * b0 + b1 * b1 + b2 * b2) / (stiff_old * star * star + 1e-300)
-                b0, b1, b2 = b0 * ease, b1 * ease, b2 * ease
-                m0, m1, m2 = b0 - kr * dt * wx, b1 - kr * dt * wy, b2 - kr * dt * wz
+                m0 = ease * b0 - kr * dt * wx
+                m1 = ease * b1 - kr * dt * wy
+                m2 = ease * b2 - kr * dt * wz
                 most = mu_roll * star * abs(normal)
                 torque = sqrt(m0 * m0 + m1 * m1 + m2 * m2)
                 rolls = most / (torque + 1e-300) if torque > most else 1.0
@@ -488,7 +498,14 @@ def make_wall_chunk(law: Parts, layout: Layout, *, rolling: bool) -> Any:
                     S[(OX + v) * W + c] = ra * vel[a, 4 + v]
                     S[(WX + v) * W + c] = vel[a, 4 + v]
                 S[KIND * W + c] = np.float64(mat[a] * materials) + wall[w, 11]
-                S[WEIGHT * W + c] = 1.0
+                dx, dy, dz = towards_wall(  # a step ago, as seen from the wall
+                    pos[a, 0] - dt * S[VX * W + c],
+                    pos[a, 1] - dt * S[(VX + 1) * W + c],
+                    pos[a, 2] - dt * S[(VX + 2) * W + c],
+                    wall,
+                    w,
+                )
+                S[BEFORE * W + c] = dx * dx + dy * dy + dz * dz
                 if flag[s] != 0:
                     for q in range(history):
                         S[(H0 + q) * W + c] = hist[s, q]
@@ -497,6 +514,7 @@ def make_wall_chunk(law: Parts, layout: Layout, *, rolling: bool) -> Any:
                         S[(H0 + q) * W + c] = 0.0
                 if wall[w, 10] == 0.0:  # taken away: the contact ends here
                     S[D2 * W + c] = 4.0 * (ra + cut) * (ra + cut) + 1e-300
+                    S[BEFORE * W + c] = S[D2 * W + c]  # no work is done on it
                 for q in range(fields):
                     S[(field_row + q) * W + c] = field[a, q]
                     S[(field_row + fields + q) * W + c] = field[a, q]

@@ -125,7 +125,7 @@ def compiled(law: Parts, uniform: bool, rolling: bool, periodic: bool) -> Callab
             for c in prange(number):
                 move_chunk(
                     c, chunks, offset, buf, pos, vel, mat, field, ref, constants, gravity, box,
-                    kick, dt, ledger[c],
+                    kick, clock[DT_LAST], dt, ledger[c],
                 )
             for v in range(3):
                 box[0, v] *= 1.0 + box[2, v] * dt
@@ -231,9 +231,10 @@ def make_move_chunk(law: Parts, layout: ct.Layout) -> Any:
 
     def chunk(
         c: int, chunks: Any, offset: Any, buf: Any, pos: Any, vel: Any, mat: Any, field: Any,
-        ref: Any, constants: Any, gravity: Any, box: Any, kick: float, dt: float, ledger: Any,
+        ref: Any, constants: Any, gravity: Any, box: Any, kick: float, dt_last: float, dt: float, ledger: Any,
     ) -> None:  # fmt: skip
         kinetic = potential = fastest = furthest = 0.0
+        centre = dt_last / kick if kick > 0.0 else 0.0
         lost = 0.0
         own = offset[c] - chunks[c]
         gx, gy, gz = gravity[0], gravity[1], gravity[2]
@@ -247,9 +248,14 @@ def make_move_chunk(law: Parts, layout: ct.Layout) -> Any:
             a1 = v1 + im * buf[o, 1] + kick * gy
             a2 = v2 + im * buf[o, 2] + kick * gz
             b0, b1, b2 = w0 + ii * buf[o, 3], w1 + ii * buf[o, 4], w2 + ii * buf[o, 5]
-            # product of the velocities before and after: closes the ledger exactly
-            kinetic += 0.5 * m * (v0 * a0 + v1 * a1 + v2 * a2)
-            kinetic += 0.5 * vel[i, 7] * (w0 * b0 + w1 * b1 + w2 * b2)
+            # product of the velocities before and after, those of a step as long as the
+            # last one: closes the ledger exactly
+            speed = v0 * v0 + v1 * v1 + v2 * v2
+            spin = w0 * w0 + w1 * w1 + w2 * w2
+            gain = v0 * a0 + v1 * a1 + v2 * a2 - speed
+            turn = w0 * b0 + w1 * b1 + w2 * b2 - spin
+            kinetic += 0.5 * m * (speed + centre * gain)
+            kinetic += 0.5 * vel[i, 7] * (spin + centre * turn)
             potential -= m * (gx * pos[i, 0] + gy * pos[i, 1] + gz * pos[i, 2])
             vel[i, 0], vel[i, 1], vel[i, 2] = a0, a1, a2
             vel[i, 4], vel[i, 5], vel[i, 6] = b0, b1, b2
