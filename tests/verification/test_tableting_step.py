@@ -17,7 +17,9 @@ def peak_force(folder: Path, step: float) -> float:
     case = Case.from_file(EXAMPLE, {"engine.time_step": step})
     down = case.model_copy(update={"process": case.process[:2]})
     run(down, folder)
-    return float(np.abs(read_history(folder / "history.csv")["upper_punch.force_z [N]"]).max())
+    return float(
+        np.abs(read_history(folder / "history.csv")["upper_punch.force_z [N]"]).max()
+    )
 
 
 @pytest.mark.slow

@@ -27,9 +27,7 @@ def forces(folder: Path, **settings: object) -> tuple[np.ndarray, np.ndarray]:
     )
     run(case, folder)
     table = read_history(folder / "history.csv")
-    found = [
-        np.abs(table[f"{wall}.force_{wall[0]} [N]"]) for wall in WALLS
-    ]
+    found = [np.abs(table[f"{wall}.force_{wall[0]} [N]"]) for wall in WALLS]
     return table["x_plus.displacement [m]"], np.column_stack(found)
 
 
@@ -44,7 +42,7 @@ def difference(
     theirs: tuple[np.ndarray, np.ndarray],
     window: tuple[float, float],
 ) -> float:
-    """Mean absolute difference over a window of displacement, over the largest force."""
+    """Mean absolute difference in a window of displacement over the largest force."""
     place, force = theirs
     use = (place >= window[0]) & (place <= window[1])
     ours = np.column_stack(
@@ -66,10 +64,8 @@ def test_loading_without_adhesion(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_adhesive_loading_and_turning_back(tmp_path: Path) -> None:
-    """Reported: free spheres that stick and bounce are chaotic before they are pressed."""
-    place, force = forces(
-        tmp_path, work_of_adhesion=2e5, turn_at=0.35
-    )
+    """Reported: free spheres that stick and bounce are chaotic until pressed."""
+    place, force = forces(tmp_path, work_of_adhesion=2e5, turn_at=0.35)
     theirs = reference("gamma2e5_psib0.5_turn0.35.csv")
     top = int(np.argmax(place))
     loading = difference(

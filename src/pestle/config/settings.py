@@ -13,7 +13,7 @@ class EngineSettings(Section):
     """Acceleration of gravity [m/s^2]."""
     time_step: Literal["auto"] | TimeStep = "auto"
     """Time step [s], or "auto": from the stiffest state reached."""
-    safety: Fraction = 0.2
+    safety: Fraction = 0.5
     """Automatic time step over the critical one [-]."""
     mass_scaling: Factor = 1.0
     """Factor on all masses, to allow a longer step [-]; the run reports the inertial
