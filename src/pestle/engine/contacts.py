@@ -15,7 +15,7 @@ from pestle import _jit
 from pestle.laws._base import Geometry, Nothing, Parts
 
 BLOCK = 128  # contacts in a block
-W = BLOCK + 8  # length of a scratch row: no power of two, so that rows spread over the cache
+W = BLOCK + 8  # length of a scratch row; no power of two: rows spread over the cache
 # scratch rows
 DX, D2, VX, OX, RA, RB, MASS, KIND, WEIGHT, WX = 0, 3, 4, 7, 10, 11, 12, 13, 14, 15
 BEFORE = WEIGHT  # of a wall contact, which has no weight: squared distance a step ago
@@ -68,15 +68,20 @@ def saver(kind: type, base: int) -> Any:
     return step(0)
 
 
-def table_loader(kind: type, base: int) -> Any:
-    """Compiled function that reads a NamedTuple from a row of the pair table."""
+def table_loader(kind: type, base: int, zeros: tuple[int, ...] = ()) -> Any:
+    """Compiled function that reads a NamedTuple from a row of the pair table.
+
+    Fields in `zeros` are compiled in as 0: what a law does only for them falls away.
+    """
     length = len(kind._fields)  # type: ignore[attr-defined]
 
     def step(count: int) -> Any:
         column = base + count - 1
-        if count == 1:
-            return _jit.inline(lambda table, row: (table[row, column],))
+        if count == 0:
+            return _jit.inline(lambda table, row: ())
         before = step(count - 1)
+        if count - 1 in zeros:
+            return _jit.inline(lambda table, row: before(table, row) + (0.0,))
         return _jit.inline(
             lambda table, row: before(table, row) + (table[row, column],)
         )
@@ -127,11 +132,17 @@ def evaluator(law: Parts, is_wall: bool) -> Any:
 
 
 def make_batch(
-    law: Parts, layout: Layout, *, is_wall: bool, uniform: bool, rolling: bool
+    law: Parts,
+    layout: Layout,
+    *,
+    is_wall: bool,
+    uniform: bool,
+    rolling: bool,
+    zeros: tuple[int, ...] = (),
 ) -> Any:
     """Build the loop over the contacts of a block, specialised on the law."""
     evaluate = evaluator(law, is_wall)
-    constants = table_loader(law.constants, PAIR)
+    constants = table_loader(law.constants, PAIR, zeros)
     state, save_state = (
         loader(law.state, layout.state_row),
         saver(law.state, layout.state_row),
@@ -156,12 +167,9 @@ def make_batch(
             x, y, z = S[c], S[W + c], S[2 * W + c]
             d2 = S[D2 * W + c]
             d = sqrt(d2)
-            inverse = 1.0 / d
-            nx, ny, nz = x * inverse, y * inverse, z * inverse
             ux, uy, uz = S[VX * W + c], S[(VX + 1) * W + c], S[(VX + 2) * W + c]
             ra, rb, mass = S[RA * W + c], S[RB * W + c], S[MASS * W + c]
             weight = 1.0 if is_wall else S[WEIGHT * W + c]
-            star = ra if is_wall else ra * rb / (ra + rb)
             # approach since the last step, from the exact distance then
             before2 = (
                 S[BEFORE * W + c]
@@ -173,7 +181,16 @@ def make_batch(
                 )
             )
             before = sqrt(max(before2, 0.0))
-            approach = (before2 - d2) / (before + d)
+            # four inverses by one division
+            apart, least = before + d, ra if is_wall else min(ra, rb)
+            inner, outer = d * (ra + rb), apart * least
+            inverse = 1.0 / (inner * outer)
+            per_inner, per_outer = outer * inverse, inner * inverse
+            per_d, per_sum = (ra + rb) * per_inner, d * per_inner
+            approach = (before2 - d2) * (least * per_outer)
+            nx, ny, nz = x * per_d, y * per_d, z * per_d
+            star = ra if is_wall else ra * rb * per_sum
+            arm = d * per_sum
             h = H0 * W + c
             s0, s1, s2 = S[h], S[h + W], S[h + 2 * W]
             stiff_old, normal_old = S[h + 3 * W], S[h + 4 * W]
@@ -189,7 +206,6 @@ def make_batch(
             normal = r.force
 
             # velocity of the surfaces against each other
-            arm = d / (ra + rb)
             ox, oy, oz = (
                 S[OX * W + c] * arm,
                 S[(OX + 1) * W + c] * arm,
@@ -211,8 +227,9 @@ def make_batch(
             s2 -= sn * nz
             flat2 = s0 * s0 + s1 * s1 + s2 * s2
             turn = sqrt(size2 / (flat2 + 1e-300)) if flat2 > 0.0 else 0.0
-            soften = kt / stiff_old if kt < stiff_old else 1.0
-            held2 = size2 / stiff_old if stiff_old > 0.0 else 0.0  # 2 x energy before
+            per_old = 1.0 / stiff_old if stiff_old > 0.0 else 0.0
+            soften = kt * per_old if kt < stiff_old else 1.0
+            held2 = size2 * per_old  # twice the energy before
             s0 *= turn
             s1 *= turn
             s2 *= turn
@@ -236,7 +253,7 @@ def make_batch(
             # work against the mean of the old force, at its lever, and the new one; and
             # what dashpots take
             slid = -0.5 * dt * ((s0 + f0) * tx + (s1 + f1) * ty + (s2 + f2) * tz)
-            slid += 0.5 * dt * approach * inverse * (s0 * wx + s1 * wy + s2 * wz)
+            slid += 0.5 * dt * approach * per_d * (s0 * wx + s1 * wy + s2 * wz)
             eddy = -dt * ((g0 - f0) * tx + (g1 - f1) * ty + (g2 - f2) * tz)
 
             m0 = m1 = m2 = 0.0
@@ -277,7 +294,7 @@ def make_batch(
             S[o + 6 * W], S[o + 7 * W], S[o + 8 * W] = m0, m1, m2
             S[o + 9 * W] = arm
             S[o + 10 * W] = max(r.stiffness, 3.5 * kt)
-            S[o + 11 * W] = (ra + rb - d) / (ra if is_wall else min(ra, rb))
+            S[o + 11 * W] = (ra + rb - d) * (apart * per_outer)
             e = ledger * W + c
             S[e] = r.stored + 0.5 * held
             S[e + W] = 0.5 * (normal_old + normal) * approach - (r.stored - stored_old)
@@ -294,32 +311,47 @@ def make_tally() -> Any:
     def tally(
         S: Any, m: int, row: int, deep_row: int, ledger: Any, listed: Any
     ) -> None:
+        stored = spent = slid = damped = negative = negatives = touching = 0.0
+        deepest, where = ledger[DEEPEST], ledger[WHERE]
         for c in range(m):
             e = row * W + c
-            ledger[STORED] += S[e]
             plastic = S[e + W]
-            ledger[PLASTIC] += plastic
-            ledger[SLIDING] += S[e + 2 * W]
-            ledger[DAMPED] += S[e + 3 * W]
-            if plastic < -1e-3 * S[e + 4 * W]:
-                ledger[NEGATIVES] += 1.0
-            if plastic < 0.0:
-                ledger[NEGATIVE] += plastic
+            stored += S[e]
+            spent += plastic
+            slid += S[e + 2 * W]
+            damped += S[e + 3 * W]
+            negatives += 1.0 if plastic < -1e-3 * S[e + 4 * W] else 0.0
+            negative += min(plastic, 0.0)
             deep = S[deep_row * W + c]
-            if deep > 0.0:
-                ledger[TOUCHING] += 1.0
-            if not deep <= ledger[DEEPEST]:  # also catches NaN
-                ledger[DEEPEST] = deep
-                ledger[WHERE] = np.float64(listed[c])
+            touching += 1.0 if deep > 0.0 else 0.0
+            if not deep <= deepest:  # also catches NaN
+                deepest = deep
+                where = np.float64(listed[c])
+        ledger[STORED] += stored
+        ledger[PLASTIC] += spent
+        ledger[SLIDING] += slid
+        ledger[DAMPED] += damped
+        ledger[NEGATIVES] += negatives
+        ledger[NEGATIVE] += negative
+        ledger[TOUCHING] += touching
+        ledger[DEEPEST], ledger[WHERE] = deepest, where
 
     return _jit.njit(tally)
 
 
 def make_pair_chunk(
-    law: Parts, layout: Layout, *, uniform: bool, rolling: bool, periodic: bool
+    law: Parts,
+    layout: Layout,
+    *,
+    uniform: bool,
+    rolling: bool,
+    periodic: bool,
+    zeros: tuple[int, ...],
 ) -> Any:
     """Build the contact pass over one chunk of the pair list."""
-    batch = make_batch(law, layout, is_wall=False, uniform=uniform, rolling=rolling)
+    batch = make_batch(
+        law, layout, is_wall=False, uniform=uniform, rolling=rolling, zeros=zeros
+    )
     tally = make_tally()
     history, fields, sums = layout.history, layout.fields, layout.sums
     field_row, sum_row, out = layout.field_row, layout.sum_row, layout.out
@@ -436,11 +468,15 @@ def make_pair_chunk(
     return _jit.njit(chunk)
 
 
-def make_wall_chunk(law: Parts, layout: Layout, *, rolling: bool) -> Any:
+def make_wall_chunk(
+    law: Parts, layout: Layout, *, rolling: bool, zeros: tuple[int, ...]
+) -> Any:
     """Build the contact pass of one chunk's particles against the walls."""
     from pestle.engine.walls import towards_wall
 
-    batch = make_batch(law, layout, is_wall=True, uniform=False, rolling=rolling)
+    batch = make_batch(
+        law, layout, is_wall=True, uniform=False, rolling=rolling, zeros=zeros
+    )
     tally = make_tally()
     history, fields, sums = layout.history, layout.fields, layout.sums
     field_row, sum_row, out = layout.field_row, layout.sum_row, layout.out
@@ -544,4 +580,3 @@ def make_wall_chunk(law: Parts, layout: Layout, *, rolling: bool) -> Any:
             tally(S, m, ledger_row, out + 11, ledger, listed)
 
     return _jit.njit(chunk)
-

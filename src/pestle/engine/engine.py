@@ -94,8 +94,10 @@ class Engine:
                     work_of_adhesion=rule.work_of_adhesion,
                     wall=b >= self.particle_solids,
                 )
-                shear = pair.shear_modulus if not rigid else 1.0 / (
-                    (2.0 - one.poisson_ratio) / one.shear_modulus
+                shear = (
+                    pair.shear_modulus
+                    if not rigid
+                    else 1.0 / ((2.0 - one.poisson_ratio) / one.shear_modulus)
                 )
                 table[a * count + b] = (
                     rule.sliding_friction,
@@ -106,7 +108,19 @@ class Engine:
                 )
         return table
 
-    def set_particles(self, position: Array, radius: Array, mat: Array, density: Array) -> None:
+    def _zeros(self) -> tuple[tuple[int, ...], tuple[int, ...]]:
+        """Constants of the law that are 0 among all particles, and with all walls."""
+        count, n = len(self.solids), self.particle_solids
+        rows = self.table.reshape(count, count, -1)[:n, :, ct.PAIR :]
+        among, walls = (
+            tuple(np.flatnonzero(~part.any(axis=(0, 1))).tolist()) if part.size else ()
+            for part in (rows[:, :n], rows[:, n:])
+        )
+        return among, walls
+
+    def set_particles(
+        self, position: Array, radius: Array, mat: Array, density: Array
+    ) -> None:
         """Place particles: positions (N, 3) [m], radii [m], solids, densities [kg/m^3]."""
         n = len(radius)
         self.pos = np.column_stack([position, radius]).astype(float)
@@ -181,7 +195,10 @@ class Engine:
         for row in self.table[:, ct.PAIR :]:
             if row.any():
                 k = self.parts.constants(*row)
-                most = max(most, self.parts.reach(k, Geometry(0.0, big / 2, big, big, 1.0, 0.0)))
+                most = max(
+                    most,
+                    self.parts.reach(k, Geometry(0.0, big / 2, big, big, 1.0, 0.0)),
+                )
         return most
 
     def rebuild(self) -> None:
@@ -223,9 +240,7 @@ class Engine:
         nb.wall_list(self.pos, self.wall, reach, self.wp, self.ww, self.wfirst)
         self.whist = np.zeros((total, self.layout.history))
         self.wflag = np.zeros(total, np.uint8)
-        nb.carry_walls(
-            order, *old_walls, self.wfirst, self.ww, self.whist, self.wflag
-        )
+        nb.carry_walls(order, *old_walls, self.wfirst, self.ww, self.whist, self.wflag)
         self.ref = self.pos.copy()
         self.wref = self.move[:, wl.DISPLACEMENT].copy()
         self.rebuilds += 1
@@ -266,9 +281,9 @@ class Engine:
             self.ledger = np.zeros((number, ct.LEDGER))
         self.wtotal = np.zeros((number, len(self.wall), wl.TOTALS))
         if self.parts.screened:
-            self.tri, self.sides = triples(n, self.pa, self.pb)
+            self.tri, self.sides = triples(n, self.pa, self.pb, self.pairs)
         else:
-            self.tri, self.sides = np.zeros(1, np.int64), np.zeros((0, 2), np.int32)
+            self.tri, self.sides = np.zeros(1, np.int64), np.zeros((0, 3), np.int32)
 
     # ------------------------------------------------------------------ running
 
@@ -279,6 +294,7 @@ class Engine:
             self.particle_solids == 1,
             self.rolling,
             bool((self.box[1] > 0.0).any()),
+            self._zeros(),
         )
         cut = self.cut()
         while steps > 0:
@@ -342,7 +358,9 @@ class Engine:
         """Take over a checkpoint of the same set-up."""
         for name in SAVED:
             setattr(self, name, np.array(state[name]))
-        self.rebuilds, self.since_rebuild, self.lost_contacts = map(int, state["counters"])
+        self.rebuilds, self.since_rebuild, self.lost_contacts = map(
+            int, state["counters"]
+        )
         self.skin = float(state["skin"])
         self.gravity = np.array(state["gravity"])
         self.divide()

@@ -38,8 +38,19 @@ def cell_order(pos: Any, low: Any, cell: Any, count: Any) -> Any:
 
 @_jit.njit
 def _scan(
-    pos: Any, ids: Any, low: Any, cell: Any, count: Any, start: Any, wrap: Any, images: Any, box: Any,
-    skin: float, first: Any, pa: Any, pb: Any,
+    pos: Any,
+    ids: Any,
+    low: Any,
+    cell: Any,
+    count: Any,
+    start: Any,
+    wrap: Any,
+    images: Any,
+    box: Any,
+    skin: float,
+    first: Any,
+    pa: Any,
+    pb: Any,
 ) -> int:
     """Fill the half list; with empty `pa` only count: first[i+1] - first[i] pairs of i."""
     n = pos.shape[0]
@@ -88,7 +99,15 @@ def _scan(
 
 
 def pair_list(
-    pos: Any, ids: Any, low: Any, cell: Any, count: Any, start: Any, wrap: Any, images: Any, box: Any,
+    pos: Any,
+    ids: Any,
+    low: Any,
+    cell: Any,
+    count: Any,
+    start: Any,
+    wrap: Any,
+    images: Any,
+    box: Any,
     skin: float,
 ) -> tuple[Any, Any, Any]:
     """Return `first`, `pa`, `pb`: pairs of the lower index i are first[i]:first[i+1]."""
@@ -103,8 +122,19 @@ def pair_list(
 
 @_jit.njit
 def carry_pairs(
-    order: Any, old_first: Any, old_a: Any, old_b: Any, old_hist: Any, old_flag: Any,
-    old_weight: Any, first: Any, pa: Any, pb: Any, hist: Any, flag: Any, weight: Any,
+    order: Any,
+    old_first: Any,
+    old_a: Any,
+    old_b: Any,
+    old_hist: Any,
+    old_flag: Any,
+    old_weight: Any,
+    first: Any,
+    pa: Any,
+    pb: Any,
+    hist: Any,
+    flag: Any,
+    weight: Any,
 ) -> int:
     """Copy histories to the new list; return how many pairs in contact found no place."""
     kept = 0
@@ -149,8 +179,15 @@ def wall_list(pos: Any, wall: Any, skin: float, wp: Any, ww: Any, first: Any) ->
 
 @_jit.njit
 def carry_walls(
-    order: Any, old_first: Any, old_w: Any, old_hist: Any, old_flag: Any,
-    first: Any, ww: Any, hist: Any, flag: Any,
+    order: Any,
+    old_first: Any,
+    old_w: Any,
+    old_hist: Any,
+    old_flag: Any,
+    first: Any,
+    ww: Any,
+    hist: Any,
+    flag: Any,
 ) -> None:
     """Copy the histories of wall contacts to the new list."""
     for i in range(first.shape[0] - 1):

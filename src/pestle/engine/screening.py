@@ -6,12 +6,14 @@ Candidate triples are found when the list is rebuilt; weights are set in every s
 the distances of the step before.
 """
 
-from math import acos, exp, pi, sqrt
+from math import pi, sqrt
 from typing import Any
 
 import numpy as np
 
 from pestle import _jit
+
+ROW = 64  # screened pairs worked off together
 
 
 @_jit.njit
@@ -36,45 +38,139 @@ def _adjacent(n: int, pa: Any, pb: Any) -> tuple[Any, Any, Any]:
 
 
 @_jit.njit
-def triples(n: int, pa: Any, pb: Any) -> tuple[Any, Any]:
-    """Return `first` and `sides`: the other two pairs of each triple that a pair is in."""
+def triples(n: int, pa: Any, pb: Any, pairs: Any) -> tuple[Any, Any]:
+    """Return the candidate triples of each chunk: three pairs that form a triangle.
+
+    Triples of chunk c are first[c]:first[c + 1]; each chunk lists every triple that has
+    a pair of its own, pairs[c]:pairs[c + 1], once.
+    """
     start, other, slot = _adjacent(n, pa, pb)
     mark = np.full(n, -1, np.int64)
-    first = np.zeros(pa.shape[0] + 1, np.int64)
-    sides = np.empty((0, 2), np.int32)
+    chunks = pairs.shape[0] - 1
+    first = np.zeros(chunks + 1, np.int64)
+    sides = np.empty((0, 3), np.int32)
     for fill in range(2):
         total = 0
-        for s in range(pa.shape[0]):
-            first[s] = total
-            a, b = pa[s], pb[s]
-            for o in range(start[a], start[a + 1]):
-                mark[other[o]] = slot[o]
-            for o in range(start[b], start[b + 1]):
-                third = other[o]
-                if third != a and mark[third] >= 0:
-                    if fill == 1:
-                        sides[total, 0] = mark[third]
-                        sides[total, 1] = slot[o]
-                    total += 1
-            for o in range(start[a], start[a + 1]):
-                mark[other[o]] = -1
-        first[pa.shape[0]] = total
+        for c in range(chunks):
+            first[c] = total
+            own = pairs[c]
+            for s in range(own, pairs[c + 1]):
+                a, b = pa[s], pb[s]
+                for o in range(start[a], start[a + 1]):
+                    mark[other[o]] = slot[o]
+                for o in range(start[b], start[b + 1]):
+                    one, two = mark[other[o]], np.int64(slot[o])
+                    seen = own <= one < s or own <= two < s
+                    if one >= 0 and two != s and not seen:
+                        if fill == 1:
+                            sides[total, 0], sides[total, 1] = s, one
+                            sides[total, 2] = two
+                        total += 1
+                for o in range(start[a], start[a + 1]):
+                    mark[other[o]] = -1
+        first[chunks] = total
         if fill == 0:
-            sides = np.empty((total, 2), np.int32)
+            sides = np.empty((total, 3), np.int32)
     return first, sides
 
 
+@_jit.inline
+def arcsine(x: float) -> float:
+    """asin(x) to round-off, in a form that the compiler turns into SIMD [rad]."""
+    size = abs(x)
+    small = size < 0.5
+    z = x * x if small else 0.5 * (1.0 - size)
+    s = size if small else sqrt(z)
+    p = 3.47933107596021167570e-05
+    p = p * z + 7.91534994289814532176e-04
+    p = p * z - 4.00555345006794114027e-02
+    p = p * z + 2.01212532134862925881e-01
+    p = p * z - 3.25565818622400915405e-01
+    p = p * z + 1.66666666666666657415e-01
+    q = 7.70381505559019352791e-02
+    q = q * z - 6.88283971605453293030e-01
+    q = q * z + 2.02094576023350569471e00
+    q = q * z - 2.40339491173441421878e00
+    q = q * z + 1.0
+    value = s + s * (z * p / q)
+    value = value if small else 0.5 * pi - 2.0 * value
+    return value if x >= 0.0 else -value
+
+
+@_jit.inline
+def exponential(x: float) -> float:
+    """exp(x) for -25 <= x <= 10 to 4e-15, by squaring a Taylor polynomial [-]."""
+    y = x * 0.03125
+    p = 1.0 / 1307674368000.0
+    p = p * y + 1.0 / 87178291200.0
+    p = p * y + 1.0 / 6227020800.0
+    p = p * y + 1.0 / 479001600.0
+    p = p * y + 1.0 / 39916800.0
+    p = p * y + 1.0 / 3628800.0
+    p = p * y + 1.0 / 362880.0
+    p = p * y + 1.0 / 40320.0
+    p = p * y + 1.0 / 5040.0
+    p = p * y + 1.0 / 720.0
+    p = p * y + 1.0 / 120.0
+    p = p * y + 1.0 / 24.0
+    p = p * y + 1.0 / 6.0
+    p = p * y + 0.5
+    p = p * y + 1.0
+    p = p * y + 1.0
+    p = p * p
+    p = p * p
+    p = p * p
+    p = p * p
+    return p * p
+
+
 @_jit.njit
-def weigh(first: Any, sides: Any, dist: Any, weight: Any, k0: int, k1: int) -> None:
-    """Set the weights of the pairs k0:k1; `dist` is squared distance, -1 if apart."""
+def _lose(weight: Any, work: Any, slot: Any, m: int) -> None:
+    """Add what `m` screened pairs lose; `work` holds cosines, as difference and product."""
+    for c in range(m):
+        cosine = work[c] / (2.0 * sqrt(work[ROW + c]))
+        tilt = arcsine(min(max(cosine, -1.0), 1.0))  # pi/2 - alpha
+        work[2 * ROW + c] = 1.0 / (1.0 + exponential(50.0 / pi * tilt))
+    for c in range(m):
+        weight[slot[c]] += work[2 * ROW + c]
+
+
+@_jit.njit
+def weigh(
+    sides: Any,
+    dist: Any,
+    weight: Any,
+    t0: int,
+    t1: int,
+    k0: int,
+    k1: int,
+    work: Any,
+    slot: Any,
+) -> None:
+    """Set the weights of a chunk's pairs k0:k1 from its triples t0:t1.
+
+    `dist` is the squared distance of a pair, -1 if apart.  The few screened pairs among the triples are collected in `work` and `slot`, then
+    worked off together.
+    """
+    U = np.uint64
     for s in range(k0, k1):
-        lost = 0.0
-        d = dist[s]
-        if d > 0.0:
-            for t in range(first[s], first[s + 1]):
-                one, two = dist[sides[t, 0]], dist[sides[t, 1]]
-                if one > 0.0 and two > 0.0 and d > one and d > two:
-                    cosine = (one + two - d) / (2.0 * sqrt(one * two))
-                    angle = acos(min(max(cosine, -1.0), 1.0))
-                    lost += 1.0 / (1.0 + exp(-50.0 * (angle / pi - 0.5)))
-        weight[s] = max(1.0 - lost, 0.0)
+        weight[s] = 0.0
+    m = 0
+    for t in range(t0, t1):
+        a, b, c = sides[t, 0], sides[t, 1], sides[t, 2]
+        da, db, dc = dist[U(a)], dist[U(b)], dist[U(c)]
+        longest_a = (da > db) & (da > dc)
+        longest_b = (db > da) & (db > dc)
+        slot[m] = a if longest_a else (b if longest_b else c)
+        longest = da if longest_a else (db if longest_b else dc)
+        one, two = db if longest_a else da, dc if longest_a | longest_b else db
+        work[m] = one + two - longest
+        work[ROW + m] = one * two
+        mutual = (one > 0.0) & (two > 0.0) & (longest > one) & (longest > two)
+        m += mutual & (slot[m] >= k0) & (slot[m] < k1)
+        if m == ROW:
+            _lose(weight, work, slot, m)
+            m = 0
+    _lose(weight, work, slot, m)
+    for s in range(k0, k1):
+        weight[s] = max(1.0 - weight[s], 0.0)

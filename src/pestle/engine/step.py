@@ -26,8 +26,20 @@ TIME, DT, DT_LAST, SAFETY, AUTO, DT_MAX, CRITICAL, SCALE = range(8)
 CLOCK = 8
 # running sums of the ledger [J]
 (
-    KINETIC, STORED, GRAVITY, WALL_WORK, PLASTIC, SLIDING, DAMPED, NEGATIVE, NEGATIVES,
-    TOUCHING, DEEPEST, BOX_WORK, HIGHEST_SPEED, MOST_STIFF,
+    KINETIC,
+    STORED,
+    GRAVITY,
+    WALL_WORK,
+    PLASTIC,
+    SLIDING,
+    DAMPED,
+    NEGATIVE,
+    NEGATIVES,
+    TOUCHING,
+    DEEPEST,
+    BOX_WORK,
+    HIGHEST_SPEED,
+    MOST_STIFF,
 ) = range(14)
 SUMS = 16
 # condition columns: kind, wall, value
@@ -35,13 +47,35 @@ NEVER, FORCE_ABOVE, FORCE_BELOW, MOVED, UNTIL, AT_REST, BACK = range(7)
 
 
 @cache
-def compiled(law: Parts, uniform: bool, rolling: bool, periodic: bool) -> Callable[..., Any]:
-    """Return `advance`, compiled for a law; kept on disk between processes."""
+def compiled(
+    law: Parts,
+    uniform: bool,
+    rolling: bool,
+    periodic: bool,
+    zeros: tuple[tuple[int, ...], tuple[int, ...]] = ((), ()),
+) -> Callable[..., Any]:
+    """Return `advance`, compiled for a law; kept on disk between processes.
+
+    Parameters
+    ----------
+    law : Parts
+        Parts of the law.
+    uniform, rolling, periodic : bool
+        All particles of one material; rolling friction; periodic box.
+    zeros : tuple
+        Which of the law's constants are 0 for all pairs of particles, and of
+        particles with walls: no code is made for them.
+    """
     layout = ct.Layout(law, rolling)
     pair_chunk = ct.make_pair_chunk(
-        law, layout, uniform=uniform, rolling=rolling, periodic=periodic
+        law,
+        layout,
+        uniform=uniform,
+        rolling=rolling,
+        periodic=periodic,
+        zeros=zeros[0],
     )
-    wall_chunk = ct.make_wall_chunk(law, layout, rolling=rolling)
+    wall_chunk = ct.make_wall_chunk(law, layout, rolling=rolling, zeros=zeros[1])
     move_chunk = make_move_chunk(law, layout)
     screened = law.screened
 
@@ -66,14 +100,52 @@ def compiled(law: Parts, uniform: bool, rolling: bool, periodic: bool) -> Callab
                 ledger[c, :] = 0.0
                 ledger[c, ct.DEEPEST] = -1e300
                 pair_chunk(
-                    pos, vel, mat, field, pa, pb, hist, flag, weight, dist, table, materials,
-                    buf, scratch[c], listed[c], pairs[c], pairs[c + 1], shift, clock[DT_LAST],
-                    cut, box, ledger[c],
+                    pos,
+                    vel,
+                    mat,
+                    field,
+                    pa,
+                    pb,
+                    hist,
+                    flag,
+                    weight,
+                    dist,
+                    table,
+                    materials,
+                    buf,
+                    scratch[c],
+                    listed[c],
+                    pairs[c],
+                    pairs[c + 1],
+                    shift,
+                    clock[DT_LAST],
+                    cut,
+                    box,
+                    ledger[c],
                 )
                 wall_chunk(
-                    pos, vel, mat, field, wp, ww, whist, wflag, table, materials, wall, move,
-                    wtotal[c], buf, scratch[c], listed[c], wpairs[c], wpairs[c + 1], shift,
-                    clock[DT_LAST], cut, ledger[c],
+                    pos,
+                    vel,
+                    mat,
+                    field,
+                    wp,
+                    ww,
+                    whist,
+                    wflag,
+                    table,
+                    materials,
+                    wall,
+                    move,
+                    wtotal[c],
+                    buf,
+                    scratch[c],
+                    listed[c],
+                    wpairs[c],
+                    wpairs[c + 1],
+                    shift,
+                    clock[DT_LAST],
+                    cut,
+                    ledger[c],
                 )
             # wall forces and ledger, summed in the order of chunks
             for w in range(walls):
@@ -124,9 +196,35 @@ def compiled(law: Parts, uniform: bool, rolling: bool, periodic: bool) -> Callab
             kick = 0.5 * (clock[DT_LAST] + dt)
             for c in prange(number):
                 move_chunk(
-                    c, chunks, offset, buf, pos, vel, mat, field, ref, constants, gravity, box,
-                    kick, clock[DT_LAST], dt, ledger[c],
+                    c,
+                    chunks,
+                    offset,
+                    buf,
+                    pos,
+                    vel,
+                    mat,
+                    field,
+                    ref,
+                    constants,
+                    gravity,
+                    box,
+                    kick,
+                    clock[DT_LAST],
+                    dt,
+                    ledger[c],
                 )
+                if screened:
+                    weigh(
+                        sides,
+                        dist,
+                        weight,
+                        tri[c],
+                        tri[c + 1],
+                        pairs[c],
+                        pairs[c + 1],
+                        scratch[c],
+                        listed[c],
+                    )
             for v in range(3):
                 box[0, v] *= 1.0 + box[2, v] * dt
                 if box[1, v] > 0.0:
@@ -144,9 +242,6 @@ def compiled(law: Parts, uniform: bool, rolling: bool, periodic: bool) -> Callab
                 moved = max(moved, ledger[c, 13])
                 finite = finite and ledger[c, 14] == 0.0
             sums[HIGHEST_SPEED] = np.sqrt(fastest)
-            if screened:
-                for c in prange(number):
-                    weigh(tri, sides, dist, weight, pairs[c], pairs[c + 1])
             clock[TIME] += dt
             clock[DT_LAST] = dt
             report[0] += 1
@@ -188,17 +283,22 @@ def compiled(law: Parts, uniform: bool, rolling: bool, periodic: bool) -> Callab
     key = "-".join(
         [
             _jit.package_fingerprint(),
-            *(_jit.fingerprint(f) for f in (law.contact, law.wall, law.update, law.reach)),
+            *(
+                _jit.fingerprint(f)
+                for f in (law.contact, law.wall, law.update, law.reach)
+            ),
             str(law.constants._fields),  # type: ignore[attr-defined]
             str(law.state._fields),  # type: ignore[attr-defined]
-            f"{uniform}{rolling}{periodic}",
+            f"{uniform}{rolling}{periodic}{zeros}",
         ]
     )
     return _jit.cached(kernel, key)
 
 
 @_jit.njit
-def gather_forces(c: int, chunks: Any, last: Any, offset: Any, buf: Any, vel: Any) -> float:
+def gather_forces(
+    c: int, chunks: Any, last: Any, offset: Any, buf: Any, vel: Any
+) -> float:
     """Add the other chunks' buffers to a chunk's own; return max stiffness over mass."""
     lo, hi = chunks[c], chunks[c + 1]
     most = 0.0

@@ -11,9 +11,27 @@ from typing import Any
 
 from pestle import _jit
 
-KIND, POINT, NORMAL, RADIUS, BOTTOM, TOP, ACTIVE, MATERIAL, WALL = 0, 1, 4, 7, 8, 9, 10, 11, 12
+KIND, POINT, NORMAL, RADIUS, BOTTOM, TOP, ACTIVE, MATERIAL, WALL = (
+    0,
+    1,
+    4,
+    7,
+    8,
+    9,
+    10,
+    11,
+    12,
+)
 AXIS, MODE, DISPLACEMENT, VELOCITY, TARGET, TOP_SPEED, RELAX, START, MOVE = (
-    0, 3, 4, 5, 6, 7, 8, 9, 10,
+    0,
+    3,
+    4,
+    5,
+    6,
+    7,
+    8,
+    9,
+    10,
 )
 FIXED, PROGRAM, SERVO = 0.0, 1.0, 2.0
 # sums of a wall: force 3 on the particles, normal force, stiffness
@@ -21,7 +39,9 @@ TOTALS = 5
 
 
 @_jit.njit(forceinline=True)
-def towards_wall(x: float, y: float, z: float, wall: Any, w: int) -> tuple[float, float, float]:
+def towards_wall(
+    x: float, y: float, z: float, wall: Any, w: int
+) -> tuple[float, float, float]:
     """Vector from the nearest point of a wall to a particle's centre [m]."""
     rx, ry, rz = x - wall[w, 1], y - wall[w, 2], z - wall[w, 3]
     nx, ny, nz = wall[w, 4], wall[w, 5], wall[w, 6]
@@ -60,7 +80,9 @@ def drive_walls(
         elif mode == SERVO:
             # force along the drive axis, towards its target within the relaxation time
             force = (
-                total[w, 0] * move[w, 0] + total[w, 1] * move[w, 1] + total[w, 2] * move[w, 2]
+                total[w, 0] * move[w, 0]
+                + total[w, 1] * move[w, 1]
+                + total[w, 2] * move[w, 2]
             )
             lack = move[w, 6] - force
             stiff = total[w, 4]

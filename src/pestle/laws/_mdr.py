@@ -72,17 +72,18 @@ class Sums(NamedTuple):
 def decay(x: float) -> float:
     """exp(x) for -10 <= x <= 0 to 4e-15, by squaring a Taylor polynomial [-]."""
     y = max(x, -10.0) * 0.03125
-    p = 1.0 + y / 11.0
-    p = 1.0 + y / 10.0 * p
-    p = 1.0 + y / 9.0 * p
-    p = 1.0 + y / 8.0 * p
-    p = 1.0 + y / 7.0 * p
-    p = 1.0 + y / 6.0 * p
-    p = 1.0 + y / 5.0 * p
-    p = 1.0 + y / 4.0 * p
-    p = 1.0 + y / 3.0 * p
-    p = 1.0 + y / 2.0 * p
-    p = 1.0 + y * p
+    p = 1.0 / 39916800.0
+    p = p * y + 1.0 / 3628800.0
+    p = p * y + 1.0 / 362880.0
+    p = p * y + 1.0 / 40320.0
+    p = p * y + 1.0 / 5040.0
+    p = p * y + 1.0 / 720.0
+    p = p * y + 1.0 / 120.0
+    p = p * y + 1.0 / 24.0
+    p = p * y + 1.0 / 6.0
+    p = p * y + 0.5
+    p = p * y + 1.0
+    p = p * y + 1.0
     p = p * p
     p = p * p
     p = p * p
@@ -140,6 +141,51 @@ def indented_work(t: float) -> float:
     return t * t * sqrt(t) * p
 
 
+def peel(de: float, stretch: float, r: float, pulled: bool) -> tuple[bool, bool, float]:
+    """Adhesion: springs stretch to Delta l at the rim, then it peels [D2]-[D4].
+
+    All lengths along the axis are over half the indenter's height, here 1, and radii
+    over half its width.  At the rim of a peeling contact of radius r = s^2 the springs
+    meet the indenter: u = 1 - sqrt(1 - r^2) = de + stretch s.  Squared this is a
+    quartic in s, convex where it counts.
+
+    Parameters
+    ----------
+    de : float
+        Displacement of the indenter, negative when pulled out [-].
+    stretch : float
+        Delta l of a contact as wide as the indenter [-].
+    r : float
+        Adhered contact radius [-].
+    pulled : bool
+        The contact would be smaller than that without adhesion.
+
+    Returns
+    -------
+    holds, parted : bool
+        Adhesion acts; it has just let go.
+    r : float
+        Contact radius if adhesion holds [-].
+    """
+    s = sqrt(r)
+    u = de + stretch * s
+    peels = pulled and u < 1.0 and r * r > u * (2.0 - u)
+    parted = False
+    for _ in range(4):  # Halley from the right: never passes a root
+        u = de + stretch * s
+        square = s * s
+        over = square * square - u * (2.0 - u)
+        grows = 2.0 * square * s - stretch * (1.0 - u)  # its derivative / 2
+        bends = over * (6.0 * square + stretch * stretch)  # second derivative / 2
+        # a quartic with a root further left falls more steeply than this
+        parted = parted or 1.5 * grows * abs(grows) < bends
+        s -= 2.0 * over * grows / max(4.0 * grows * grows - bends, 1e-200)
+        parted = parted or s <= 0.0
+        s = min(max(s, 0.0), 1.0)
+    parted = peels and parted
+    return pulled and not parted, parted, s * s if peels else r
+
+
 def side(
     k: SideConstants,
     particle: Particle,
@@ -167,6 +213,7 @@ def side(
         State of the side, see `zunker2024.State`.
     """
     grown = radius - particle.initial_radius
+    curvature = 1.0 / radius
     # delta_max of a side at its maximum grows with R [D7b], else it stays [D7]
     before = flat_old + grown - bulk
     reached = before if peak < 0.0 else peak
@@ -181,61 +228,57 @@ def side(
     yielded = offset < 0.0
 
     # elliptic indenter: (31) before yield, (28) and (32)-(36) after it
-    x = depth / radius
-    soft = decay(-4.4 * x)
+    soft = decay(-4.4 * depth * curvature)
     pressure = k.yield_stress * (1.75 * soft + 1.0)
-    widest = sqrt(max(2.0 * depth * radius - depth * depth + offset / pi, 1e-300))
-    height = 4.0 * pressure / k.modulus * widest if yielded else 4.0 * radius
+    widest2 = max(2.0 * depth * radius - depth * depth + offset * (1.0 / pi), 1e-300)
+    widest = sqrt(widest2)
+    half = 2.0 / k.modulus * pressure * widest if yielded else 2.0 * radius
     width = 2.0 * widest if yielded else 2.0 * radius
-    half = 0.5 * height
-    z = radius - (depth - half)
-    root = sqrt(widest * widest + z * z)
-    centre = pressure * (
-        (
-            2.0 * widest * widest * (k.poisson - 1.0)
-            - z * (2.0 * k.poisson - 1.0) * (root - z)
-        )
-        / (2.0 * k.shear * root)
+    height = 2.0 * half
+    z = radius - depth + half
+    root = sqrt(widest2 + z * z)
+    # the inverses of root, widest and pressure, by one division
+    product = root * widest
+    inverse = 1.0 / (product * pressure)
+    per_pressure = product * inverse
+    per_widest = root * pressure * inverse
+    aspect = 0.5 * k.modulus * per_pressure if yielded else 0.5  # width / height
+    per_width = 0.5 * per_widest if yielded else 0.5 * curvature
+    per_height = aspect * per_width
+    centre = (
+        (2.0 * (k.poisson - 1.0) * widest2 - (2.0 * k.poisson - 1.0) * z * (root - z))
+        * (0.5 / k.shear * pressure)
+        * (widest * pressure * inverse)
     )  # delta_R, (34)
-    ease = 1.0 + centre / half if yielded else 1.0
-    de = (d - depth + half + centre) / ease if yielded else d  # (35)
+    ease = 1.0 + 2.0 * centre * per_height if yielded else 1.0
+    per_ease = 1.0 / ease
+    de = (d - depth + half + centre) * per_ease if yielded else d  # (35)
     de = min(de, half)
 
-    # adhesion: springs stretch to Delta l, then peel [D2]-[D4]
-    bare = width / height * sqrt(max(de, 0.0) * (height - max(de, 0.0)))
-    r = min(2.0 * adhered / width, 1.0)
-    u = r * r / (1.0 + sqrt(1.0 - r * r))  # g(a) = half u
-    stretch = sqrt(pi * k.adhesion * width / k.modulus)  # Delta l at the equator
-    pulled = bare < adhered
-    peels = pulled and de + stretch * sqrt(r) < half * u
-    parted = False
-    v = u
-    for _ in range(6):  # Newton from the right on a concave function
-        q = max(v * (2.0 - v), 1e-30)
-        edge = stretch * sqrt(sqrt(q))
-        gain = de + edge - half * v
-        falls = 0.5 * edge / q * (1.0 - v) - half
-        parted = parted or falls >= 0.0
-        v = v - gain / min(falls, -1e-30)
-        parted = parted or v <= 0.0
-        v = min(max(v, 0.0), 1.0)
-    parted = peels and parted
-    if peels:
-        u = v
-    holds = pulled and not parted
-    a = 0.5 * width * sqrt(u * (2.0 - u)) if holds else bare
-    seat = half * u if holds else max(de, 0.0)  # displacement without adhesion
-    lift = seat - de if holds else 0.0
-    t = seat / height
+    # contact radius and displacement of the springs, without and with adhesion
+    pressed = max(de, 0.0)
+    a = aspect * sqrt(pressed * (height - pressed))
+    seat, lift, parted = pressed, 0.0, False
+    if k.adhesion > 0.0:
+        stretch = sqrt(pi * k.adhesion * width / k.modulus)  # Delta l at the equator
+        r = min(2.0 * adhered * per_width, 1.0)
+        holds, parted, r = peel(
+            2.0 * de * per_height, 2.0 * stretch * per_height, r, a < adhered
+        )
+        a = 0.5 * width * r if holds else a
+        u = r * r / (1.0 + sqrt(1.0 - r * r))
+        seat = half * u if holds else seat
+        lift = seat - de if holds else 0.0
+    t = seat * per_height
     scale = 0.25 * k.modulus * height * width
     pushed = scale * indented(t)
     force = pushed - 2.0 * k.modulus * lift * a  # (47)
     stored = scale * height * indented_work(t) - lift * pushed + k.modulus * lift**2 * a
 
-    stiffness = 2.0 * k.modulus * a / ease
+    stiffness = 2.0 * k.modulus * a * per_ease
     hardens = (
         2.0 * pi * pressure * (radius - depth)
-        - 7.7 * k.yield_stress * soft * pi * widest * widest / radius
+        - 7.7 * pi * k.yield_stress * soft * widest2 * curvature
     )
     slope = max(hardens, 0.01 * stiffness) if yielded and at_peak else stiffness
     opened = max(geometric, 0.0)
@@ -283,7 +326,7 @@ def sums(
     strain = -force * (first - flat) / (3.0 * k.bulk * particle.volume)  # (38) [D11]
     displaced = pi * step * (2.0 * flat * first - flat * flat + radius**2 - first**2)
     flows = a.at_peak > 0.0 and a.offset < 0.0 and step > 0.0
-    cap = pi * d * d * (3.0 * radius - d) / 3.0
+    cap = pi * d * d * (radius - d * (1.0 / 3.0))
     return Sums(
         g.weight * displaced if active else 0.0,
         g.weight * 2.0 * pi * radius * d if active else 0.0,

@@ -170,7 +170,7 @@ def _first(k: Constants, part: float) -> SideConstants:
         k.shear_i,
         k.bulk_i,
         k.onset_i,
-        k.adhesion * part,
+        k.adhesion * part if k.adhesion > 0.0 else 0.0,
         k.always,
     )
 
@@ -183,7 +183,7 @@ def _second(k: Constants, part: float) -> SideConstants:
         k.shear_j,
         k.bulk_j,
         k.onset_j,
-        k.adhesion * part,
+        k.adhesion * part if k.adhesion > 0.0 else 0.0,
         k.always,
     )
 
