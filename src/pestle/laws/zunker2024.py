@@ -216,7 +216,10 @@ def contact(
     b = side(
         kj, pj, g.radius_j, flat_j, old_j, s.peak_j, s.offset_j, s.bulk_j, s.radius_j
     )
-    broken = a.parted + b.parted > 0.0
+    # a flat that one side has left cannot be pulled by the other
+    open_i = a.radius + a.bulk == 0.0
+    open_j = b.radius + b.bulk == 0.0
+    broken = a.parted + b.parted > 0.0 or open_i or open_j
     force_i = max(a.force, 0.0) if broken else a.force
     force_j = max(b.force, 0.0) if broken else b.force
     near = 1e-12 * (k.modulus_i * g.radius_i + k.modulus_j * g.radius_j)
@@ -263,8 +266,8 @@ def contact(
             b.offset,
             a.bulk,
             b.bulk,
-            0.0 if broken and force_i <= 0.0 else a.radius,
-            0.0 if broken and force_j <= 0.0 else b.radius,
+            0.0 if open_j or (broken and force_i <= 0.0) else a.radius,
+            0.0 if open_i or (broken and force_j <= 0.0) else b.radius,
         ),
         sums_i,
         sums_j,
