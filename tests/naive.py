@@ -10,6 +10,7 @@ from math import acos, exp, pi, sqrt
 from typing import Any
 
 import numpy as np
+
 from pestle.laws import Geometry, Nothing, Pair, parts_of
 
 

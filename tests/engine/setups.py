@@ -4,9 +4,9 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from pestle.engine import contacts as ct
+
+from pestle.engine import scratch as ct
 from pestle.engine import step as st
-from pestle.engine import walls as wl
 from pestle.engine.engine import Engine, PairRule
 from pestle.laws import Hertz, Solid, Zunker2024
 

@@ -6,10 +6,11 @@ here because E* R* / W is large.
 
 import numpy as np
 import pytest
-from engine.setups import SOFT, pair, press
+from scipy.optimize import brentq
+
+from engine.setups import pair, press
 from pestle.laws import Solid
 from pestle.reference import jkr
-from scipy.optimize import brentq
 
 W = 2.0
 ELASTIC = Solid(youngs_modulus=2e6 * W, poisson_ratio=0.3)
@@ -76,7 +77,7 @@ def test_separation_displacement(radius):
 @pytest.mark.parametrize("radius", [(1.0,), (1.0, 1.0)])
 def test_peeling_costs_the_work_of_adhesion(radius):
     """Approach is Hertz, so a cycle takes W for the area peeled, and the last jump."""
-    back, r, e, unit = separate(radius)
+    back, r, e, _unit = separate(radius)
     k = {"modulus": e, "work_of_adhesion": W}
     a = jkr.critical_radius(r, **k, control="displacement")
     lift = a**2 / r - jkr.overlap(a, r, **k)

@@ -4,10 +4,11 @@ from math import gamma, pi, sqrt
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
+
 from engine.setups import GLASS, RIGID, SOFT, Setup, Wall, by_id, lost, run
 from pestle.engine import step as st
 from pestle.engine.engine import PairRule
-from scipy.integrate import solve_ivp
 
 # duration times speed over largest overlap: integral of 2/sqrt(1 - x^2.5), 0 to 1
 DURATION = 2 * sqrt(pi) * gamma(7 / 5) / gamma(9 / 10)
@@ -78,7 +79,7 @@ def test_hertz_collision(case):
 def test_largest_force_on_a_wall():
     speed, mass = 1.0, 4 / 3 * pi * GLASS.density
     modulus = 1 / GLASS.compliance  # the tool is rigid
-    deep, force, time = hertz(mass, 1.0, modulus, speed)
+    _deep, force, time = hertz(mass, 1.0, modulus, speed)
     setup = Setup(
         position=np.array([[0, 0, 1.0]]), radius=np.ones(1), velocity=[0, 0, -speed],
         walls=(Wall(),), step=time / 400, rules={(0, 1): PairRule()},

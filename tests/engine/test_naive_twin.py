@@ -2,8 +2,19 @@
 
 import numpy as np
 import pytest
+
 from engine.setups import (
-    GLASS, HARD, MDR, RIGID, SOFT, Setup, Wall, box_walls, by_id, packing, run,
+    GLASS,
+    HARD,
+    MDR,
+    RIGID,
+    SOFT,
+    Setup,
+    Wall,
+    box_walls,
+    by_id,
+    packing,
+    run,
 )  # fmt: skip
 from naive import Twin
 from pestle.engine.engine import PairRule
@@ -101,7 +112,7 @@ def pressed(**options):
 
 
 def test_mdr_of_two_materials_with_adhesion():
-    engine, twin = compare(pressed(), 250, rtol=1e-9)
+    _engine, twin = compare(pressed(), 250, rtol=1e-9)
     assert (twin.r / pressed().radius).max() > 1.001  # some have grown
     assert any(m.state.offset_i < 0 for m in twin.memory.values())  # and yielded
     assert min(twin.weight.values()) < 0.9  # and are screened

@@ -4,6 +4,7 @@ from math import atan, cos, pi, sin
 
 import numpy as np
 import pytest
+
 from engine.setups import GLASS, Setup, Wall, lost, run
 from pestle.engine import step as st
 from pestle.engine.engine import PairRule

@@ -24,7 +24,7 @@ count = {count}
 radius = {{ distribution = "uniform", minimum = "0.4 mm", maximum = "0.6 mm" }}
 [die]
 radius = "2 mm"
-height = "12 mm"
+height = "{height}"
 material = "tool"
 [[process]]
 step = "fill"
@@ -52,6 +52,7 @@ def tiny_case(folder: Path, **changes: object) -> Path:
         "law": "zunker2024",
         "adhesion": 0.1,
         "count": 30,
+        "height": "12 mm",
         "to": "5 kPa",
         "at": "0.2 m/s",
         "hold": "1 ms",

@@ -119,8 +119,9 @@ def test_five_kills_in_a_long_run(tmp_path: Path, law: str) -> None:
         tmp_path,
         law=law,
         count=200,
+        height="24 mm",
         to="60 kPa",
-        at="20 mm/s",
+        at="4 mm/s",
         hold="2 ms",
         every=3000,
     )

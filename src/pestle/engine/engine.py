@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from pestle.engine import contacts as ct
 from pestle.engine import neighbours as nb
+from pestle.engine import scratch as ct
 from pestle.engine import step as st
 from pestle.engine import walls as wl
 from pestle.engine.screening import triples
@@ -17,9 +17,35 @@ Array = npt.NDArray[Any]
 
 # arrays that make up a checkpoint: everything that the next step depends on
 SAVED = (
-    "pos vel mat ids field ref first pa pb hist flag weight dist wfirst wp ww whist wflag "
-    "wall move total program lengths box clock sums report wref"
-).split()
+    "pos",
+    "vel",
+    "mat",
+    "ids",
+    "field",
+    "ref",
+    "first",
+    "pa",
+    "pb",
+    "hist",
+    "flag",
+    "weight",
+    "dist",
+    "wfirst",
+    "wp",
+    "ww",
+    "whist",
+    "wflag",
+    "wall",
+    "move",
+    "total",
+    "program",
+    "lengths",
+    "box",
+    "clock",
+    "sums",
+    "report",
+    "wref",
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

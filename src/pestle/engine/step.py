@@ -14,7 +14,8 @@ import numpy as np
 from numba import prange
 
 from pestle import _jit
-from pestle.engine import contacts as ct
+from pestle.engine import scratch as ct
+from pestle.engine.passes import make_pair_chunk, make_wall_chunk
 from pestle.engine.screening import weigh
 from pestle.engine.walls import drive_walls
 from pestle.laws._base import Nothing, Parts
@@ -67,7 +68,7 @@ def compiled(
         particles with walls: no code is made for them.
     """
     layout = ct.Layout(law, rolling)
-    pair_chunk = ct.make_pair_chunk(
+    pair_chunk = make_pair_chunk(
         law,
         layout,
         uniform=uniform,
@@ -75,7 +76,7 @@ def compiled(
         periodic=periodic,
         zeros=zeros[0],
     )
-    wall_chunk = ct.make_wall_chunk(law, layout, rolling=rolling, zeros=zeros[1])
+    wall_chunk = make_wall_chunk(law, layout, rolling=rolling, zeros=zeros[1])
     move_chunk = make_move_chunk(law, layout)
     screened = law.screened
 
@@ -318,7 +319,7 @@ def gather_forces(
 
 def make_move_chunk(law: Parts, layout: ct.Layout) -> Any:
     """Build the particle pass over one chunk: kick, drift, the law's particle state."""
-    columns, fields = layout.columns, layout.fields
+    fields = layout.fields
     multi = law.particle is not Nothing
     if multi:
         update = _jit.inline(law.update)

@@ -32,7 +32,8 @@ class Side(NamedTuple):
     stiffness: float  # dF/d delta on the elastic branch, bulk included [N/m]
     slope: float  # dF/d delta while loading, bulk included [N/m]
     elastic: float  # elastic depth of the indenter, A/2 [m]
-    stored: float  # [J]
+    stored: float  # energy of the indenter [J]
+    worked: float  # put into the bulk response in this step [J]
     peak: float  # delta_max below the maximum, -1 at it [m]
     offset: float  # c_A, 0 before yield [m^2]
     bulk: float  # delta_BULK [m]
@@ -218,6 +219,7 @@ def side(
     before = flat_old + grown - bulk
     reached = before if peak < 0.0 else peak
     geometric = flat + grown  # delta, to the flat
+    bulk_before = bulk
     if particle.bulk > 0.0 and geometric > 0.0:
         bulk = max(bulk + particle.shift, 0.0)
     d = geometric - bulk
@@ -295,7 +297,8 @@ def side(
         stiffness + squeeze,
         slope + squeeze,
         half,
-        ease * stored + 0.5 * squeeze * bulk * bulk,
+        ease * stored,
+        0.5 * squeeze * (bulk * bulk - bulk_before * bulk_before),
         -1.0 if at_peak else depth,
         offset,
         bulk,

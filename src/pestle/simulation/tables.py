@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from pestle.engine import contacts as ct
+from pestle.engine import scratch as ct
 from pestle.engine import walls as wl
 from pestle.engine.walls import towards_wall
 from pestle.laws._base import Nothing

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pestle.engine import contacts as ct
+from pestle.engine import scratch as ct
 from pestle.engine import step as st
 from pestle.engine import walls as wl
 from pestle.errors import SimulationError
