@@ -73,7 +73,7 @@ def test_interrupted_run_goes_on_to_the_same_bits(tmp_path: Path) -> None:
     whole, broken = tmp_path / "whole", tmp_path / "broken"
     steps = simulation.run(case, whole).steps
     reached = []
-    for calls in (5, 25, 9):  # filling, on the way, under load
+    for calls in (2, 4, 3):  # as early as a fast machine reaches
         report = interrupt_after(calls)
         result = simulation.run(case, broken, resume=bool(reached), progress=report)
         assert result.stop_reason == StopReason.INTERRUPTED
@@ -112,8 +112,10 @@ def test_sigterm_leaves_a_checkpoint(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("law", ["hertz", "zunker2024"])
-def test_five_kills_in_a_long_run(tmp_path: Path, law: str) -> None:
+@pytest.mark.parametrize(
+    ("law", "at"), [("hertz", "4 mm/s"), ("zunker2024", "14 mm/s")]
+)
+def test_five_kills_in_a_long_run(tmp_path: Path, law: str, at: str) -> None:
     """At least 1e5 steps with rebuilds; SIGKILL at random; one and two threads."""
     case = tiny_case(
         tmp_path,
@@ -121,7 +123,7 @@ def test_five_kills_in_a_long_run(tmp_path: Path, law: str) -> None:
         count=200,
         height="24 mm",
         to="60 kPa",
-        at="4 mm/s",
+        at=at,
         hold="2 ms",
         every=3000,
     )

@@ -105,6 +105,4 @@ class Layout:
         self.columns = COLUMNS + self.sums
         # a law whose particles grow keeps the last growth of the radius in this field
         names = law.particle._fields  # type: ignore[attr-defined]
-        self.growth = (
-            self.field_row + names.index("growth") if "growth" in names else 0
-        )
+        self.growth = self.field_row + names.index("growth") if "growth" in names else 0
