@@ -56,40 +56,49 @@ def _scan(
     n = pos.shape[0]
     fill = pa.shape[0] > 0
     total = 0
+    nx, ny, nz = count[0], count[1], count[2]
+    any_image = images[0] or images[1] or images[2]
+    inverse = np.zeros(3)
+    for c in range(3):
+        if images[c]:
+            inverse[c] = 1.0 / box[c]
+    U = np.uint64
     for i in range(n):
         first[i] = total
-        at = np.empty(3, np.int64)
-        for c in range(3):
-            k = int((pos[i, c] - low[c]) / cell[c])
-            at[c] = min(max(k, 0), count[c] - 1)
-        for da in range(-1, 2):
-            a = at[0] + da
+        x, y, z, reach = pos[i, 0], pos[i, 1], pos[i, 2], pos[i, 3] + skin
+        at_x = min(max(int((x - low[0]) / cell[0]), 0), nx - 1)
+        at_y = min(max(int((y - low[1]) / cell[1]), 0), ny - 1)
+        at_z = min(max(int((z - low[2]) / cell[2]), 0), nz - 1)
+        # cells along z lie one after the other: one row, and a second across the border
+        bottom, top = max(at_z - 1, 0), min(at_z + 1, nz - 1)
+        other = -1
+        if wrap[2] and at_z == 0:
+            other = nz - 1
+        elif wrap[2] and at_z == nz - 1:
+            other = 0
+        for a in range(at_x - 1, at_x + 2):
             if wrap[0]:
-                a = a % count[0]
-            if a < 0 or a >= count[0]:
+                a = a % nx
+            if a < 0 or a >= nx:
                 continue
-            for db in range(-1, 2):
-                b = at[1] + db
+            for b in range(at_y - 1, at_y + 2):
                 if wrap[1]:
-                    b = b % count[1]
-                if b < 0 or b >= count[1]:
+                    b = b % ny
+                if b < 0 or b >= ny:
                     continue
-                for dc in range(-1, 2):
-                    d = at[2] + dc
-                    if wrap[2]:
-                        d = d % count[2]
-                    if d < 0 or d >= count[2]:
-                        continue
-                    cell_id = (a * count[1] + b) * count[2] + d
-                    for j in range(max(start[cell_id], i + 1), start[cell_id + 1]):
-                        d2 = 0.0
-                        for c in range(3):
-                            x = pos[i, c] - pos[j, c]
-                            if images[c]:
-                                x -= box[c] * np.floor(x / box[c] + 0.5)
-                            d2 += x * x
-                        r = pos[i, 3] + pos[j, 3] + skin
-                        if d2 < r * r:
+                row = (a * ny + b) * nz
+                for part in range(1 if other < 0 else 2):
+                    lower = row + (bottom if part == 0 else other)
+                    upper = row + (top if part == 0 else other)
+                    for j in range(max(start[lower], i + 1), start[upper + 1]):
+                        s = U(j)
+                        dx, dy, dz = x - pos[s, 0], y - pos[s, 1], z - pos[s, 2]
+                        if any_image:
+                            dx -= box[0] * np.floor(dx * inverse[0] + 0.5)
+                            dy -= box[1] * np.floor(dy * inverse[1] + 0.5)
+                            dz -= box[2] * np.floor(dz * inverse[2] + 0.5)
+                        r = reach + pos[s, 3]
+                        if dx * dx + dy * dy + dz * dz < r * r:
                             if fill:
                                 pa[total] = i if ids[i] < ids[j] else j
                                 pb[total] = j if ids[i] < ids[j] else i

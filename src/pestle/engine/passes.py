@@ -174,6 +174,7 @@ def make_pair_chunk(
                     S[(field_row + q) * W + c] = field[a, q]
                     S[(field_row + fields + q) * W + c] = field[b, q]
             batch(S, m, table, dt)
+            worked = 0.0
             for c in range(m):
                 s = U(listed[c])
                 rs = S[RA * W + c] + S[RB * W + c]
@@ -190,7 +191,7 @@ def make_pair_chunk(
                     buf[a, v] += f
                     buf[b, v] -= f
                     if periodic:  # work of the deforming box, against the contact
-                        ledger[15] -= f * box[2, v] * S[v * W + c] * dt
+                        worked -= f * box[2, v] * S[v * W + c] * dt
                     buf[a, 3 + v] += r - la * t
                     buf[b, 3 + v] -= r + lb * t
                 stiff = S[(out + 10) * W + c]
@@ -199,6 +200,7 @@ def make_pair_chunk(
                 for v in range(sums):
                     buf[a, COLUMNS + v] += S[(sum_row + v) * W + c]
                     buf[b, COLUMNS + v] += S[(sum_row + sums + v) * W + c]
+            ledger[15] += worked
             tally(S, m, ledger_row, out + 11, ledger, listed)
 
     return _jit.njit(chunk)

@@ -17,61 +17,45 @@ ROW = 64  # screened pairs worked off together
 
 
 @_jit.njit
-def _adjacent(n: int, pa: Any, pb: Any) -> tuple[Any, Any, Any]:
-    """Return the full neighbour lists with the slots of their pairs, sorted."""
-    start = np.zeros(n + 1, np.int64)
-    for s in range(pa.shape[0]):
-        start[pa[s] + 1] += 1
-        start[pb[s] + 1] += 1
-    for i in range(n):
-        start[i + 1] += start[i]
-    place = start[:-1].copy()
-    other = np.empty(2 * pa.shape[0], np.int32)
-    slot = np.empty(2 * pa.shape[0], np.int32)
-    for s in range(pa.shape[0]):
-        a, b = pa[s], pb[s]
-        other[place[a]], slot[place[a]] = b, s
-        other[place[b]], slot[place[b]] = a, s
-        place[a] += 1
-        place[b] += 1
-    return start, other, slot
+def triples(first: Any, pa: Any, pb: Any, chunks: Any) -> tuple[Any, Any]:
+    """Return `start` and `sides`: three pairs that form a triangle, by chunk.
 
-
-@_jit.njit
-def triples(n: int, pa: Any, pb: Any, pairs: Any) -> tuple[Any, Any]:
-    """Return the candidate triples of each chunk: three pairs that form a triangle.
-
-    Triples of chunk c are first[c]:first[c + 1]; each chunk lists every triple that has
-    a pair of its own, pairs[c]:pairs[c + 1], once.
+    Pairs of the lower index i are first[i]:first[i + 1].  The triples of chunk c are
+    start[c]:start[c + 1]; a chunk lists all that have a pair of its own.
     """
-    start, other, slot = _adjacent(n, pa, pb)
+    n, number = first.shape[0] - 1, chunks.shape[0] - 1
+    home = np.empty(n, np.int64)
+    for c in range(number):
+        home[chunks[c] : chunks[c + 1]] = c
     mark = np.full(n, -1, np.int64)
-    chunks = pairs.shape[0] - 1
-    first = np.zeros(chunks + 1, np.int64)
+    start = np.zeros(number + 1, np.int64)
+    place = np.zeros(number, np.int64)
     sides = np.empty((0, 3), np.int32)
     for fill in range(2):
-        total = 0
-        for c in range(chunks):
-            first[c] = total
-            own = pairs[c]
-            for s in range(own, pairs[c + 1]):
-                a, b = pa[s], pb[s]
-                for o in range(start[a], start[a + 1]):
-                    mark[other[o]] = slot[o]
-                for o in range(start[b], start[b + 1]):
-                    one, two = mark[other[o]], np.int64(slot[o])
-                    seen = own <= one < s or own <= two < s
-                    if one >= 0 and two != s and not seen:
+        for i in range(n):
+            for s in range(first[i], first[i + 1]):
+                mark[max(pa[s], pb[s])] = s
+            for s in range(first[i], first[i + 1]):
+                j = max(pa[s], pb[s])
+                for t in range(first[j], first[j + 1]):
+                    third = mark[max(pa[t], pb[t])]
+                    if third < 0:
+                        continue
+                    for c in (home[i], home[j]):
                         if fill == 1:
-                            sides[total, 0], sides[total, 1] = s, one
-                            sides[total, 2] = two
-                        total += 1
-                for o in range(start[a], start[a + 1]):
-                    mark[other[o]] = -1
-        first[chunks] = total
+                            sides[place[c], 0], sides[place[c], 1] = s, t
+                            sides[place[c], 2] = third
+                        place[c] += 1
+                        if home[i] == home[j]:
+                            break
+            for s in range(first[i], first[i + 1]):
+                mark[max(pa[s], pb[s])] = -1
         if fill == 0:
-            sides = np.empty((total, 3), np.int32)
-    return first, sides
+            for c in range(number):
+                start[c + 1] = start[c] + place[c]
+            place[:] = start[:-1]
+            sides = np.empty((start[number], 3), np.int32)
+    return start, sides
 
 
 @_jit.inline

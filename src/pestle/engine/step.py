@@ -97,7 +97,7 @@ def compiled(
             for c in prange(number):
                 lo = chunks[c]
                 shift = offset[c] - lo
-                buf[offset[c] : offset[c] + last[c] - lo, :] = 0.0
+                buf[offset[c] : offset[c] + last[c] - lo].reshape(-1)[:] = 0.0
                 ledger[c, :] = 0.0
                 ledger[c, ct.DEEPEST] = -1e300
                 pair_chunk(
