@@ -114,7 +114,7 @@ def make_engine(
 
 
 def run_steps(engine: Engine, steps: int) -> None:
-    """Advance with one rebuild per `REBUILD` steps, whatever the engine would choose."""
+    """Advance with one rebuild per `REBUILD` steps, whatever the engine chooses."""
     for _ in range(steps // REBUILD):
         engine.skin = SKIN
         engine.rebuild()
