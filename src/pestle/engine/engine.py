@@ -307,9 +307,7 @@ class Engine:
             self.ledger = np.zeros((number, ct.LEDGER))
         self.wtotal = np.zeros((number, len(self.wall), wl.TOTALS))
         if self.parts.screened:
-            self.tri, self.sides = triples(
-                self.first, self.pa, self.pb, self.chunks
-            )
+            self.tri, self.sides = triples(self.first, self.pa, self.pb, self.chunks)
         else:
             self.tri, self.sides = np.zeros(1, np.int64), np.zeros((0, 3), np.int32)
 
