@@ -219,6 +219,7 @@ class Twin:
                 self.r[i], self.fields[i] = self.parts.update(
                     constants, self.r[i], self.fields[i], self.parts.sums(*sums[i])
                 )
+                self.stored += getattr(self.fields[i], "energy", 0.0)
         self.lengths *= 1.0 + np.array(self.setup.rate) * dt
         self.last = dt
 

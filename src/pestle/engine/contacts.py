@@ -82,6 +82,7 @@ def make_batch(
     out, ledger = layout.out, layout.ledger_row
     roll_row = H0 + HISTORY
     growth, fields = layout.growth, layout.fields
+    worked, sums = layout.worked, layout.sums
 
     def batch(S: Any, m: int, table: Any, dt: float) -> None:
         k = constants(table, 0)
@@ -227,18 +228,21 @@ def make_batch(
             e = ledger * W + c
             S[e] = r.stored + 0.5 * held
             spent = 0.5 * (normal_old + normal) * approach - (r.stored - stored_old)
+            if worked:
+                spent -= S[worked * W + c]
+                spent -= 0.0 if is_wall else S[(worked + sums) * W + c]
             S[e + W] = spent
             S[e + 2 * W] = slid - 0.5 * (held - held2)
             S[e + 3 * W] = 0.5 * (damp_old + damp) * approach + eddy
             # energy from nothing: more of it than the trapezoid may err by; a radius that
-            # grows works on the contact too, at the cost of the particle
+            # grows moves the contact and widens it too, at the cost of the particle
             closer = approach
             if growth:
                 closer += S[growth * W + c]
                 closer += 0.0 if is_wall else S[(growth + fields) * W + c]
-            spent += 0.5 * (normal_old + normal) * (closer - approach)
+            spent += abs(normal_old + normal) * (closer - approach)
             spent += 0.5 * abs((normal - normal_old) * closer)
-            noise = 1e-9 * (abs(normal_old * closer) + r.stored + stored_old)
+            noise = 1e-9 * (abs(normal_old * closer) + abs(r.stored) + abs(stored_old))
             S[e + 4 * W] = spent if spent < -noise else 0.0
 
     return _jit.njit(batch)

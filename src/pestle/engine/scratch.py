@@ -25,7 +25,9 @@ FORCE, TORQUE, STIFF, COLUMNS = 0, 3, 6, 7
 STORED, PLASTIC, SLIDING, DAMPED, NEGATIVE, NEGATIVES, TOUCHING, DEEPEST, WHERE = range(
     9
 )
-LEDGER = 16
+# and of its particles: energy that the law holds in them, and what it lets go of
+HELD, SPENT, UNPAID, DEBTS = 16, 17, 18, 19
+LEDGER = 24
 
 
 def loader(kind: type, base: int) -> Any:
@@ -103,6 +105,9 @@ class Layout:
         self.ledger_row = self.sum_row + 2 * self.sums
         self.rows = self.ledger_row + 5
         self.columns = COLUMNS + self.sums
+        # energy that contacts give to their particles
+        names = law.sums._fields  # type: ignore[attr-defined]
+        self.worked = self.sum_row + names.index("worked") if "worked" in names else 0
         # a law whose particles grow keeps the last growth of the radius in this field
         names = law.particle._fields  # type: ignore[attr-defined]
         self.growth = self.field_row + names.index("growth") if "growth" in names else 0

@@ -242,6 +242,10 @@ def compiled(
                 fastest = max(fastest, ledger[c, 12])
                 moved = max(moved, ledger[c, 13])
                 finite = finite and ledger[c, 14] == 0.0
+                sums[STORED] += ledger[c, ct.HELD]
+                sums[PLASTIC] += ledger[c, ct.SPENT]
+                sums[NEGATIVE] += ledger[c, ct.UNPAID]
+                sums[NEGATIVES] += ledger[c, ct.DEBTS]
             sums[HIGHEST_SPEED] = np.sqrt(fastest)
             clock[TIME] += dt
             clock[DT_LAST] = dt
@@ -326,7 +330,10 @@ def make_move_chunk(law: Parts, layout: ct.Layout) -> Any:
         load = ct.table_loader(law.particle, 0)
         load_sums = ct.table_loader(law.sums, ct.COLUMNS)
         size = len(law.particle._fields)  # type: ignore[attr-defined]
+        holds = layout.worked and law.particle._fields.index("energy")  # type: ignore[attr-defined]
+        given = ct.COLUMNS + layout.worked - layout.sum_row
     else:
+        holds = given = 0
         update = load = load_sums = None
         size = fields
 
@@ -335,6 +342,7 @@ def make_move_chunk(law: Parts, layout: ct.Layout) -> Any:
         ref: Any, constants: Any, gravity: Any, box: Any, kick: float, dt_last: float, dt: float, ledger: Any,
     ) -> None:  # fmt: skip
         kinetic = potential = fastest = furthest = 0.0
+        held = spent = unpaid = debts = 0.0
         centre = dt_last / kick if kick > 0.0 else 0.0
         lost = 0.0
         own = offset[c] - chunks[c]
@@ -374,6 +382,13 @@ def make_move_chunk(law: Parts, layout: ct.Layout) -> Any:
                     load_sums(buf, o),
                 )
                 pos[i, 3] = radius
+                if holds:  # energy of the particle, given by its contacts
+                    gone = field[i, holds] + buf[o, given] - state[holds]
+                    spent += gone
+                    if gone < -1e-9 * (abs(field[i, holds]) + abs(buf[o, given])):
+                        unpaid += gone
+                        debts += 1.0
+                    held += state[holds]
                 for q in range(size):
                     field[i, q] = state[q]
             dx, dy, dz = x - ref[i, 0], y - ref[i, 1], z - ref[i, 2]
@@ -390,5 +405,7 @@ def make_move_chunk(law: Parts, layout: ct.Layout) -> Any:
         ledger[12] = fastest
         ledger[13] = furthest
         ledger[14] = lost
+        ledger[ct.HELD], ledger[ct.SPENT] = held, spent
+        ledger[ct.UNPAID], ledger[ct.DEBTS] = unpaid, debts
 
     return _jit.njit(chunk)

@@ -33,7 +33,7 @@ class Side(NamedTuple):
     slope: float  # dF/d delta while loading, bulk included [N/m]
     elastic: float  # elastic depth of the indenter, A/2 [m]
     stored: float  # energy of the indenter [J]
-    worked: float  # put into the bulk response in this step [J]
+    worked: float  # given to the bulk response in this step [J]
     peak: float  # delta_max below the maximum, -1 at it [m]
     offset: float  # c_A, 0 before yield [m^2]
     bulk: float  # delta_BULK [m]
@@ -54,6 +54,7 @@ class Particle(NamedTuple):
     inside: float  # volume of the caps beyond the flats in the last step [m^3]
     compress: float  # contact area over volume, A_con / V_geo [1/m]
     growth: float  # last growth of R [m]
+    energy: float  # held by the bulk response, to which all contacts give [J]
 
 
 class Sums(NamedTuple):
@@ -68,6 +69,7 @@ class Sums(NamedTuple):
     strain: float  # elastic volume strain [-]
     inside: float  # volume of the cap beyond the flat, weighed [m^3]
     imbalance: float  # |F_i - F_j| [N]
+    worked: float  # given to the bulk response in this step [J]
 
 
 def decay(x: float) -> float:
@@ -298,7 +300,8 @@ def side(
         slope + squeeze,
         half,
         ease * stored,
-        0.5 * squeeze * (bulk * bulk - bulk_before * bulk_before),
+        force * (bulk - bulk_before)
+        + 0.5 * squeeze * (bulk + bulk_before) * (flat - flat_old),
         -1.0 if at_peak else depth,
         offset,
         bulk,
@@ -340,6 +343,7 @@ def sums(
         strain,
         g.weight * cap,
         imbalance,
+        g.weight * a.worked,
     )
 
 
@@ -385,4 +389,5 @@ def update(
         s.inside,
         s.area / hull,
         growth,
+        max(p.energy + s.worked, 0.0) if bulk or s.worked != 0.0 else 0.0,
     )

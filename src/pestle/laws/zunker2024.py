@@ -63,7 +63,6 @@ class State(NamedTuple):
     bulk_j: float
     radius_i: float  # adhered contact radius [m]
     radius_j: float
-    energy: float  # put into the bulk response: areas change, so no closed form [J]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -133,7 +132,8 @@ class Zunker2024:
 
     def particle(self, radius: float) -> Particle:
         """State of an undeformed particle of a radius [m]."""
-        return Particle(radius, 4 / 3 * pi * radius**3, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        volume = 4 / 3 * pi * radius**3
+        return Particle(radius, volume, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 def _side(solid: Solid, pair: Pair) -> tuple[float, ...]:
@@ -243,7 +243,6 @@ def contact(
     shift = min(max(shift, -most), most)
     # never touched: the flat is placed anew in the next step
     virgin = a.depth + b.depth == 0.0 and a.offset + b.offset == 0.0
-    energy = (s.energy + a.worked + b.worked) if a.bulk + b.bulk > 0.0 else 0.0
     weighed = g.weight * force
     uneven = abs(force_i - force_j)
     sums_i = sums(ki, pi_, g, g.radius_i, flat_i + shift, old_i, weighed, a, uneven)
@@ -254,7 +253,7 @@ def contact(
             weighed,
             0.5 * (a.radius + b.radius),
             g.weight * stiffness,
-            g.weight * (a.stored + b.stored + energy),
+            g.weight * (a.stored + b.stored),
             1.0,
         ),
         State(
@@ -270,7 +269,6 @@ def contact(
             b.bulk,
             0.0 if open_j or (broken and force_i <= 0.0) else a.radius,
             0.0 if open_i or (broken and force_j <= 0.0) else b.radius,
-            energy,
         ),
         sums_i,
         sums_j,
@@ -287,9 +285,8 @@ def wall(
     flat = g.overlap - grown
     a = side(ki, p, g.radius_i, flat, old, s.peak_i, s.offset_i, s.bulk_i, s.radius_i)
     added = sums(ki, p, g, g.radius_i, flat, old, a.force, a, 0.0)
-    energy = s.energy + a.worked if a.bulk > 0.0 else 0.0
     return (
-        Response(a.force, a.radius, a.stiffness, a.stored + energy, 1.0),
+        Response(a.force, a.radius, a.stiffness, a.stored, 1.0),
         State(
             0.0 if a.depth == 0.0 and a.offset == 0.0 else 1.0,
             1.0,
@@ -303,7 +300,6 @@ def wall(
             0.0,
             a.radius,
             0.0,
-            energy,
         ),
         added,
     )
