@@ -163,8 +163,9 @@ class Twin:
                 got = self.touch(
                     (i, j), arm, (self.r[i], self.r[j]),
                     self.mass[i] * self.mass[j] / (self.mass[i] + self.mass[j]),
-                    self.v[i] - self.v[j] + rate * arm, (self.w[i], self.w[j]),
-                    self.pairs[self.kind[i], self.kind[j]], self.weight.get((i, j), 1.0),
+                    (self.v[i] - self.v[j] + rate * arm) / (1 + rate * self.last),
+                    (self.w[i], self.w[j]), self.pairs[self.kind[i], self.kind[j]],
+                    self.weight.get((i, j), 1.0),
                 )  # fmt: skip
                 if got:
                     f, torque, lever, n, adds = got

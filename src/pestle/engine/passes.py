@@ -13,6 +13,8 @@ from pestle.engine.contacts import make_batch
 from pestle.engine.scratch import (
     BEFORE,
     BLOCK,
+    BOX_NEXT,
+    BOX_NOW,
     COLUMNS,
     D2,
     DAMPED,
@@ -160,7 +162,9 @@ def make_pair_chunk(
                     if rolling:
                         S[(WX + v) * W + c] = vel[a, 4 + v] - vel[b, 4 + v]
                     if periodic:
+                        # the box carries a pair from where it was before the step
                         S[(VX + v) * W + c] += box[2, v] * S[v * W + c]
+                        S[(VX + v) * W + c] /= 1.0 + box[2, v] * dt
                 if not uniform:
                     S[KIND * W + c] = np.float64(mat[a] * materials + mat[b])
                 S[WEIGHT * W + c] = weight[s] if screened else 1.0
@@ -174,7 +178,7 @@ def make_pair_chunk(
                     S[(field_row + q) * W + c] = field[a, q]
                     S[(field_row + fields + q) * W + c] = field[b, q]
             batch(S, m, table, dt)
-            worked = 0.0
+            worked = pushed = 0.0
             for c in range(m):
                 s = U(listed[c])
                 rs = S[RA * W + c] + S[RB * W + c]
@@ -190,8 +194,11 @@ def make_pair_chunk(
                     r = S[(out + 6 + v) * W + c]
                     buf[a, v] += f
                     buf[b, v] -= f
-                    if periodic:  # work of the deforming box, against the contact
-                        worked -= f * box[2, v] * S[v * W + c] * dt
+                    if periodic:  # the deforming box, against the contact
+                        power = -f * box[2, v] * S[v * W + c]
+                        moved = -f * box[2, v] * S[(VX + v) * W + c] * dt
+                        pushed += power
+                        worked += power - moved  # from where the pair was before
                     buf[a, 3 + v] += r - la * t
                     buf[b, 3 + v] -= r + lb * t
                 stiff = S[(out + 10) * W + c]
@@ -200,7 +207,8 @@ def make_pair_chunk(
                 for v in range(sums):
                     buf[a, COLUMNS + v] += S[(sum_row + v) * W + c]
                     buf[b, COLUMNS + v] += S[(sum_row + sums + v) * W + c]
-            ledger[15] += worked
+            ledger[BOX_NOW] += worked
+            ledger[BOX_NEXT] += pushed
             tally(S, m, ledger_row, out + 11, ledger, listed)
 
     return _jit.njit(chunk)

@@ -27,6 +27,8 @@ STORED, PLASTIC, SLIDING, DAMPED, NEGATIVE, NEGATIVES, TOUCHING, DEEPEST, WHERE 
 )
 # and of its particles: energy that the law holds in them, and what it lets go of
 HELD, SPENT, UNPAID, DEBTS = 16, 17, 18, 19
+# power of a deforming box, by the lengths before and after the step [W]
+BOX_NOW, BOX_NEXT = 20, 21
 LEDGER = 24
 
 

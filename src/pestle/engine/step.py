@@ -41,7 +41,8 @@ CLOCK = 8
     BOX_WORK,
     HIGHEST_SPEED,
     MOST_STIFF,
-) = range(14)
+    BOX_POWER,
+) = range(15)
 SUMS = 16
 # condition columns: kind, wall, value
 NEVER, FORCE_ABOVE, FORCE_BELOW, MOVED, UNTIL, AT_REST, BACK = range(7)
@@ -162,6 +163,7 @@ def compiled(
                 for v in range(3):
                     now += total[w, v] * move[w, v]
                 sums[WALL_WORK] += 0.5 * (along + now) * move[w, 5] * clock[DT_LAST]
+            pushed, pushes = sums[BOX_POWER], 0.0
             sums[STORED] = 0.0
             sums[TOUCHING] = 0.0
             sums[DEEPEST] = -1e300
@@ -172,10 +174,13 @@ def compiled(
                 sums[DAMPED] += ledger[c, ct.DAMPED]
                 sums[NEGATIVE] += ledger[c, ct.NEGATIVE]
                 sums[NEGATIVES] += ledger[c, ct.NEGATIVES]
-                sums[BOX_WORK] += ledger[c, 15]
+                pushed += ledger[c, ct.BOX_NOW]
+                pushes += ledger[c, ct.BOX_NEXT]
                 sums[TOUCHING] += ledger[c, ct.TOUCHING]
                 if not ledger[c, ct.DEEPEST] <= sums[DEEPEST]:
                     sums[DEEPEST] = ledger[c, ct.DEEPEST]
+            sums[BOX_WORK] += 0.5 * pushed * clock[DT_LAST]
+            sums[BOX_POWER] = pushes
             # what each particle feels, and the step that it can bear
             for c in prange(number):
                 ledger[c, 9] = gather_forces(c, chunks, last, offset, buf, vel)
