@@ -1,11 +1,13 @@
 """The one compiler decorator and its on-disk cache.
 
-``njit`` is Numba's ``njit`` with the options that every kernel shares: no fastmath
-(same bits everywhere), NumPy error model (no exceptions inside kernels), no Python
-fallback.  ``cached`` adds a disk cache to a kernel that closes over other compiled
-functions, such as a contact law.  Numba's own cache looks at the file of the cached
-function only, so an edited law would silently run as it was; here the key holds the
-source of this whole package and the fingerprint of the law.
+``njit`` is Numba's ``njit`` with the options that every kernel shares: no fastmath,
+NumPy error model (no exceptions inside kernels), no Python fallback.  Not even a
+product and a sum may become one operation (8 % faster): which ones do may differ between
+a kernel just compiled and the same one from disk, and a run resumed elsewhere has to go
+on with the same bits.  ``cached`` adds a disk cache to a kernel that closes over other
+compiled functions, such as a contact law.  Numba's own cache looks at the file of the
+cached function only, so an edited law would silently run as it was; here the key holds
+the source of this whole package and the fingerprint of the law.
 """
 
 import hashlib
@@ -17,7 +19,10 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-os.environ.setdefault("OMP_WAIT_POLICY", "passive")  # a spinning barrier starves peers
+# a thread waits some 0.1 ms for the others before it sleeps: to be woken costs a good
+# part of a step of few particles, to spin without end starves who else needs the core
+os.environ.setdefault("OMP_WAIT_POLICY", "passive")
+os.environ.setdefault("GOMP_SPINCOUNT", "3000")
 
 import numba
 from numba.core.caching import CompileResultCacheImpl, FunctionCache, _CacheLocator
