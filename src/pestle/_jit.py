@@ -1,11 +1,11 @@
 """The one compiler decorator and its on-disk cache.
 
 ``njit`` is Numba's ``njit`` with the options that every kernel shares: no fastmath,
-NumPy error model (no exceptions inside kernels), no Python fallback.  Not even a
-product and a sum may become one operation (8 % faster): which ones do may differ between
-a kernel just compiled and the same one from disk, and a run resumed elsewhere has to go
-on with the same bits.  ``cached`` adds a disk cache to a kernel that closes over other
-compiled functions, such as a contact law.  Numba's own cache looks at the file of the
+NumPy error model (no exceptions inside kernels), no Python fallback. Not even a product
+and a sum may become one operation (8 % faster): which ones do may differ between a
+kernel just compiled and the same one from disk, and a run resumed elsewhere has to go
+on with the same bits. ``cached`` adds a disk cache to a kernel that closes over other
+compiled functions, such as a contact law. Numba's own cache looks at the file of the
 cached function only, so an edited law would silently run as it was; here the key holds
 the source of this whole package and the fingerprint of the law.
 """
