@@ -7,11 +7,24 @@ the forces, so a ledger closes to round-off where every contact does its sums li
 
 import numpy as np
 import pytest
+
 from engine.setups import (
-    GLASS, HARD, MDR, RIGID, SOFT, Setup, Wall, box_walls, by_id, lost, packing, pair,
-    press, run, total,
+    GLASS,
+    HARD,
+    MDR,
+    RIGID,
+    SOFT,
+    Setup,
+    Wall,
+    box_walls,
+    lost,
+    packing,
+    pair,
+    press,
+    run,
+    total,
 )  # fmt: skip
-from engine.test_collisions import head_on, hertz, factor, until_apart
+from engine.test_collisions import factor, head_on, hertz, until_apart
 from pestle.engine import step as st
 from pestle.engine.engine import PairRule
 from pestle.laws import Hertz, Solid

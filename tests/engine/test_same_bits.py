@@ -9,13 +9,35 @@ from pathlib import Path
 import numba
 import numpy as np
 import pytest
+
 from engine.setups import (
-    GLASS, HARD, MDR, RIGID, SOFT, Setup, box_walls, by_id, packing, run,
+    GLASS,
+    HARD,
+    MDR,
+    RIGID,
+    SOFT,
+    Setup,
+    box_walls,
+    by_id,
+    packing,
+    run,
 )  # fmt: skip
 from pestle.engine.engine import PairRule
 from pestle.laws import Hertz
 
-STATE = ("pos", "vel", "field", "ids", "pa", "pb", "hist", "whist", "total", "sums", "clock")
+STATE = (
+    "pos",
+    "vel",
+    "field",
+    "ids",
+    "pa",
+    "pb",
+    "hist",
+    "whist",
+    "total",
+    "sums",
+    "clock",
+)
 
 
 def bed(law, *, count=300, rolling=False, lengths=(0.0, 0.0, 0.0)):
@@ -26,7 +48,9 @@ def bed(law, *, count=300, rolling=False, lengths=(0.0, 0.0, 0.0)):
         sliding_friction=0.4, damping=0.2, rolling_friction=0.02,
         work_of_adhesion=0.0 if isinstance(law, Hertz) else 1e4,
     )  # fmt: skip
-    walls = () if any(lengths) else box_walls(-0.1, place.max(0) + 1.0, speed=3.0, solid=2)
+    walls = (
+        () if any(lengths) else box_walls(-0.1, place.max(0) + 1.0, speed=3.0, solid=2)
+    )
     return Setup(
         law=law, solids=(SOFT, HARD, RIGID), particle_solids=2, position=place,
         radius=size, material=np.arange(count) % 2, velocity=6 * v, spin=5 * w,
@@ -135,7 +159,9 @@ def test_compiled_is_plain_python(name):
 
 def test_periodic_bed_on_two_threads(threads):
     setup = bed(Hertz(), count=216, lengths=(11.4, 11.4, 11.4))
-    setup = setup.but(gravity=(0.0, 0.0, 0.0), rate=(-0.2, 0.1, 0.0), solids=(GLASS, HARD, RIGID))
+    setup = setup.but(
+        gravity=(0.0, 0.0, 0.0), rate=(-0.2, 0.1, 0.0), solids=(GLASS, HARD, RIGID)
+    )
     engines = []
     for number in (1, min(2, numba.config.NUMBA_NUM_THREADS)):
         threads(number)

@@ -2,13 +2,24 @@
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
+
 from engine.setups import (
-    GLASS, HARD, MDR, RIGID, SOFT, Setup, Wall, box_walls, by_id, packing, run,
+    GLASS,
+    HARD,
+    MDR,
+    RIGID,
+    SOFT,
+    Setup,
+    Wall,
+    box_walls,
+    by_id,
+    packing,
+    run,
 )  # fmt: skip
 from pestle.engine import step as st
 from pestle.engine.engine import PairRule
 from pestle.laws import Hertz
-from scipy.spatial.transform import Rotation
 
 RULE = PairRule(sliding_friction=0.4, damping=0.2, rolling_friction=0.05)
 STICKY = PairRule(sliding_friction=0.4, damping=0.2, work_of_adhesion=1e4)
@@ -96,7 +107,9 @@ def test_turned_mirrored_moved(law, rotation):
     np.testing.assert_allclose(by_id(two, "vel")[:, :3], speed, atol=1e-7)
     spin = np.linalg.det(rotation) * by_id(one, "vel")[:, 4:7] @ rotation.T
     np.testing.assert_allclose(by_id(two, "vel")[:, 4:7], spin, atol=1e-7)
-    np.testing.assert_allclose(by_id(two, "pos")[:, 3], by_id(one, "pos")[:, 3], atol=1e-10)
+    np.testing.assert_allclose(
+        by_id(two, "pos")[:, 3], by_id(one, "pos")[:, 3], atol=1e-10
+    )
 
 
 @pytest.mark.parametrize("law", [Hertz(), MDR], ids=["hertz", "mdr"])

@@ -15,10 +15,11 @@ from numba import prange
 
 from pestle import _jit
 from pestle.engine import scratch as ct
+from pestle.engine.motion import gather_forces, make_move_chunk
 from pestle.engine.passes import make_pair_chunk, make_wall_chunk
 from pestle.engine.screening import weigh
 from pestle.engine.walls import drive_walls
-from pestle.laws._base import Nothing, Parts
+from pestle.laws._base import Parts
 
 # why `advance` came back
 RAN, REBUILD, CONDITION, BROKEN, TOO_DEEP, STEP_TOO_LARGE = range(6)
@@ -303,114 +304,3 @@ def compiled(
         ]
     )
     return _jit.cached(kernel, key)
-
-
-@_jit.njit
-def gather_forces(
-    c: int, chunks: Any, last: Any, offset: Any, buf: Any, vel: Any
-) -> float:
-    """Add the other chunks' buffers to a chunk's own; return max stiffness over mass."""
-    lo, hi = chunks[c], chunks[c + 1]
-    most = 0.0
-    columns = buf.shape[1]
-    for b in range(c):
-        if last[b] > lo:
-            base = offset[b] - chunks[b]
-            own = offset[c] - lo
-            for i in range(lo, min(hi, last[b])):
-                for v in range(columns):
-                    buf[own + i, v] += buf[base + i, v]
-    own = offset[c] - lo
-    for i in range(lo, hi):
-        most = max(most, buf[own + i, 6] / vel[i, 3])
-    return most
-
-
-def make_move_chunk(law: Parts, layout: ct.Layout) -> Any:
-    """Build the particle pass over one chunk: kick, drift, the law's particle state."""
-    fields = layout.fields
-    multi = law.particle is not Nothing
-    if multi:
-        update = _jit.inline(law.update)
-        load = ct.table_loader(law.particle, 0)
-        load_sums = ct.table_loader(law.sums, ct.COLUMNS)
-        size = len(law.particle._fields)  # type: ignore[attr-defined]
-        holds = layout.worked and law.particle._fields.index("energy")  # type: ignore[attr-defined]
-        given = ct.COLUMNS + layout.worked - layout.sum_row
-    else:
-        holds = given = 0
-        update = load = load_sums = None
-        size = fields
-
-    def chunk(
-        c: int, chunks: Any, offset: Any, buf: Any, pos: Any, vel: Any, mat: Any, field: Any,
-        ref: Any, constants: Any, gravity: Any, box: Any, kick: float, dt_last: float, dt: float, ledger: Any,
-    ) -> None:  # fmt: skip
-        kinetic = potential = fastest = furthest = 0.0
-        held = spent = unpaid = debts = 0.0
-        centre = dt_last / kick if kick > 0.0 else 0.0
-        lost = 0.0
-        own = offset[c] - chunks[c]
-        gx, gy, gz = gravity[0], gravity[1], gravity[2]
-        for i in range(chunks[c], chunks[c + 1]):
-            o = own + i
-            m = vel[i, 3]
-            im, ii = kick / m, kick / vel[i, 7]
-            v0, v1, v2 = vel[i, 0], vel[i, 1], vel[i, 2]
-            w0, w1, w2 = vel[i, 4], vel[i, 5], vel[i, 6]
-            a0 = v0 + im * buf[o, 0] + kick * gx
-            a1 = v1 + im * buf[o, 1] + kick * gy
-            a2 = v2 + im * buf[o, 2] + kick * gz
-            b0, b1, b2 = w0 + ii * buf[o, 3], w1 + ii * buf[o, 4], w2 + ii * buf[o, 5]
-            # product of the velocities before and after, those of a step as long as the
-            # last one: closes the ledger exactly
-            speed = v0 * v0 + v1 * v1 + v2 * v2
-            spin = w0 * w0 + w1 * w1 + w2 * w2
-            gain = v0 * a0 + v1 * a1 + v2 * a2 - speed
-            turn = w0 * b0 + w1 * b1 + w2 * b2 - spin
-            kinetic += 0.5 * m * (speed + centre * gain)
-            kinetic += 0.5 * vel[i, 7] * (spin + centre * turn)
-            potential -= m * (gx * pos[i, 0] + gy * pos[i, 1] + gz * pos[i, 2])
-            vel[i, 0], vel[i, 1], vel[i, 2] = a0, a1, a2
-            vel[i, 4], vel[i, 5], vel[i, 6] = b0, b1, b2
-            x = pos[i, 0] + dt * (a0 + box[2, 0] * (pos[i, 0] - box[3, 0]))
-            y = pos[i, 1] + dt * (a1 + box[2, 1] * (pos[i, 1] - box[3, 1]))
-            z = pos[i, 2] + dt * (a2 + box[2, 2] * (pos[i, 2] - box[3, 2]))
-            pos[i, 0], pos[i, 1], pos[i, 2] = x, y, z
-            speed = a0 * a0 + a1 * a1 + a2 * a2
-            fastest = max(fastest, speed)
-            if multi:
-                radius, state = update(
-                    (constants[mat[i], 0], constants[mat[i], 1]),
-                    pos[i, 3],
-                    load(field, i),
-                    load_sums(buf, o),
-                )
-                pos[i, 3] = radius
-                if holds:  # energy of the particle, given by its contacts
-                    gone = field[i, holds] + buf[o, given] - state[holds]
-                    spent += gone
-                    if gone < -1e-9 * (abs(field[i, holds]) + abs(buf[o, given])):
-                        unpaid += gone
-                        debts += 1.0
-                    held += state[holds]
-                for q in range(size):
-                    field[i, q] = state[q]
-            dx, dy, dz = x - ref[i, 0], y - ref[i, 1], z - ref[i, 2]
-            grown = pos[i, 3] - ref[i, 3]
-            far2 = dx * dx + dy * dy + dz * dz
-            if grown > 0.0:
-                far = np.sqrt(far2) + grown
-                far2 = far * far
-            furthest = max(furthest, far2)
-            if not speed < 1e300:
-                lost = 1.0
-        ledger[10] = kinetic
-        ledger[11] = potential
-        ledger[12] = fastest
-        ledger[13] = furthest
-        ledger[14] = lost
-        ledger[ct.HELD], ledger[ct.SPENT] = held, spent
-        ledger[ct.UNPAID], ledger[ct.DEBTS] = unpaid, debts
-
-    return _jit.njit(chunk)
