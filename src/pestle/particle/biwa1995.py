@@ -13,10 +13,22 @@ Numbers of equations are those of M. B. Shahin, thesis, Purdue University (2021)
 S. Biwa and B. Storakers, J. Mech. Phys. Solids 43 (1995) 1303-1333.
 """
 
+from dataclasses import dataclass
 from math import exp, pi
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
+
+from pestle.particle.law import (
+    Array,
+    Curve,
+    Loading,
+    Range,
+    choice,
+    parameter,
+    register,
+    warn_outside,
+)
 
 
 def area_ratio(h: float) -> float:
@@ -85,3 +97,46 @@ def contact_radius_series(gamma: Any, geometry: Two, h: float) -> Any:
 def hardness(x: Any, h: float) -> Any:
     """Mean pressure over kappa for equal spheres, P/(kappa pi a^2) (3.44) [-]."""
     return pressure_factor(h) * (2.0 * area_ratio(h) * x) ** (0.5 * h)
+
+
+SMALL = Range(0.0, 0.03, "small strain: the law leaves simulations at 3 % (Fig. 2.1)")
+
+
+@register
+@dataclass(frozen=True, kw_only=True)
+class Biwa1995(Loading):
+    """Rigid-plastic particle with sigma = kappa eps^h; contacts know of no other."""
+
+    strength: float = parameter("strength kappa of sigma = kappa eps^h", "Pa")
+    hardening_exponent: float = parameter(
+        "exponent h = 1/m; 0 is perfectly plastic", "1", 0.0, 1.0, closed=True
+    )
+    curvature: str = choice(
+        "correction of the radius for curvature: none, Eq. B.24 or Eq. B.25",
+        ("none", "closed", "series"),
+        default="none",
+    )
+
+    name: ClassVar[str] = "biwa1995"
+    summary: ClassVar[str] = "similarity law of power-law plasticity, small strain"
+    validity: ClassVar[str] = (
+        "small strain, x <= 0.03; contacts independent of each other and of the walls"
+    )
+    citation: ClassVar[str] = (
+        "@article{biwa1995, author={Biwa, S. and Storakers, B.}, title={An analysis of "
+        "fully plastic Brinell indentation}, journal={Journal of the Mechanics and "
+        "Physics of Solids}, volume={43}, pages={1303--1333}, year={1995}, "
+        "doi={10.1016/0022-5096(95)00031-D}}"
+    )
+
+    def _curve(self, x: Array, radius: float, configuration: str) -> Curve:
+        warn_outside(self.name, "x", x, SMALL)
+        h, pair = float(self.hardening_exponent), two(radius, radius)
+        formula = {
+            "none": contact_radius,
+            "closed": contact_radius_closed,
+            "series": contact_radius_series,
+        }[self.curvature]
+        a = formula(2.0 * radius * x, pair, h)  # a flat is the mid-plane of two spheres
+        eta = pi * pressure_factor(h) * (0.5 * pair.a) ** h * self.strength  # (3.42)
+        return Curve(eta * a ** (2.0 + h), a)

@@ -21,9 +21,25 @@ and r_p = 0 up to first yield at d = 1/E, where F = E d^2.  Three ways to unload
 (12) and (16) count compression positive here.
 """
 
-from typing import Any, Literal
+from dataclasses import dataclass
+from math import pi
+from typing import Any, ClassVar, Literal
 
 import numpy as np
+
+from pestle.particle.edmans2020 import Edmans2020
+from pestle.particle.law import (
+    Array,
+    Curve,
+    Loading,
+    Peak,
+    Range,
+    Unloading,
+    choice,
+    parameter,
+    register,
+    warn_outside,
+)
 
 Variant = Literal["consistent", "published", "no_tension"]
 
@@ -46,8 +62,8 @@ def plastic_radius(d: Any, e: Any) -> Any:
 def loading_force(d: Any, e: Any) -> Any:
     """Force of loading (17) [-]."""
     core = plastic_radius(d, e) ** 2
-    # the annulus: E (r_m^2 - r_p^2) + 2 E (d - 1)(root_p - root_m), root_m = 1 - d
-    return core + e * (np.sqrt(1.0 - core) - (1.0 - d)) ** 2
+    # the annulus is E (root_p - root_m)^2 with root_m = 1 - d, without a difference of 1
+    return core + e * (d - core / (1.0 + np.sqrt(1.0 - core))) ** 2
 
 
 def elastic_strain(r: Any, d: Any) -> Any:
@@ -89,3 +105,61 @@ def secant_stiffness(largest: Any, e: Any, variant: str = "consistent") -> Any:
         rest = np.maximum(largest**2 - force_max / e, 0.0)
         rho = 1.0 / (largest - np.sqrt(rest))
     return np.where(np.asarray(e) * largest > 1.0, rho, 1.0 / largest)[()]
+
+
+RADIUS = Range(0.0, 0.3, "the contact radius (13), Edmans and Sinka (2020), Fig. 15")
+
+
+@register
+@dataclass(frozen=True, kw_only=True)
+class Cylinders2020(Loading):
+    """Particle of frictionless concentric bars."""
+
+    youngs_modulus: float = parameter("Young's modulus E", "Pa")
+    yield_stress: float = parameter("uniaxial yield stress sigma_y", "Pa")
+
+    name: ClassVar[str] = "cylinders2020"
+    summary: ClassVar[str] = "concentric cylinders, explicit and simple, Eq. 17"
+    validity: ClassVar[str] = (
+        "a thought model: no lateral stress, so the hardness never exceeds sigma_y; "
+        "contact radius good to x = 0.3"
+    )
+    citation: ClassVar[str] = Edmans2020.citation
+    configurations: ClassVar[tuple[str, ...]] = ("simple",)
+
+    def _curve(self, x: Array, radius: float, configuration: str) -> Curve:
+        warn_outside(self.name, "x", x, RADIUS)
+        force = loading_force(x, self.youngs_modulus / self.yield_stress)
+        scale = pi * radius**2 * self.yield_stress
+        return Curve(force * scale, outer_radius(x) * radius)
+
+
+@register
+@dataclass(frozen=True, kw_only=True)
+class CylindersUnloading(Unloading):
+    """Unloading of the concentric bars, scaled to the peak of any loading law."""
+
+    youngs_modulus: float = parameter("Young's modulus E", "Pa")
+    yield_stress: float = parameter("uniaxial yield stress sigma_y", "Pa")
+    variant: str = choice(
+        "unloading of the cylinders: Eq. 20, Eq. 21 as printed, or without tension",
+        ("consistent", "published", "no_tension"),
+        default="consistent",
+    )
+
+    name: ClassVar[str] = "cylinders2020"
+    summary: ClassVar[str] = "unloading of concentric cylinders, three variants"
+    validity: ClassVar[str] = (
+        "a thought model; rho of 'consistent' is 0.75 to 1.39 times that of Eq. 3 for "
+        "20 <= E/sigma_y <= 1000 and 0.1 <= x <= 0.5, of 'published' 0.02 to 0.57 times"
+    )
+    citation: ClassVar[str] = Edmans2020.citation
+
+    def curve(self, displacement: Array, peak: Peak) -> Curve:
+        """Force below a peak in proportion to the model's own, and its radius (13)."""
+        e = self.youngs_modulus / self.yield_stress
+        d, largest = displacement / peak.radius, peak.displacement / peak.radius
+        own = unloading_force(d, largest, e, self.variant)
+        part = own / loading_force(largest, e)
+        narrowing = outer_radius(np.maximum(d, 0.0)) / outer_radius(largest)
+        return Curve(peak.force * part, peak.contact_radius * narrowing)

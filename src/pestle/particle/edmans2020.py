@@ -18,10 +18,22 @@ the 1 of a bar, or a number of one's own.
 Reference: B. D. Edmans and I. C. Sinka, Powder Technol. 374 (2020) 618-631.
 """
 
+from dataclasses import dataclass
 from math import pi
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
+
+from pestle.particle.law import (
+    Array,
+    Curve,
+    Peak,
+    Range,
+    parameter,
+    register,
+    warn_outside,
+)
+from pestle.particle.law import Unloading as UnloadingLaw
 
 GAMMAS = (2.9932, 0.1206, 0.4865, 0.2563, 0.3429)
 """gamma_1 to gamma_5 of Table 1."""
@@ -82,3 +94,60 @@ def work(force_max: Any, law: Unloading) -> Any:
 def _remaining(d: Any, largest: Any, law: Unloading) -> Any:
     """Part of the recovered displacement that is left, rho (d - d_0) [-]."""
     return np.maximum(1.0 - law.rho * (largest - d), 0.0)
+
+
+SOURCE = "the 560 simulations of Edmans and Sinka (2020)"
+RATIO, POISSON = Range(1.0, 1000.0, SOURCE), Range(0.0, 0.45, SOURCE)
+DISPLACEMENT = Range(0.01, 0.5, SOURCE)
+
+
+@register
+@dataclass(frozen=True, kw_only=True)
+class Edmans2020(UnloadingLaw):
+    """Power law with a secant stiffness fitted to finite elements."""
+
+    youngs_modulus: float = parameter("Young's modulus E", "Pa")
+    poisson_ratio: float = parameter("Poisson ratio nu", "1", -1.0, 0.5)
+    yield_stress: float = parameter("uniaxial yield stress sigma_y", "Pa")
+    exponent: float | None = parameter(
+        "exponent alpha of unloading; by default 1.5 up to first yield, then Etsion's, "
+        "at least 1",
+        "1",
+        default=None,
+    )
+
+    name: ClassVar[str] = "edmans2020"
+    summary: ClassVar[str] = "unloading from large deformation: power law, Eqs. 2-5"
+    validity: ClassVar[str] = (
+        "1 <= E/sigma_y <= 1000, 0 <= nu <= 0.45, peaks at 0.01 <= x <= 0.5; perfectly "
+        "plastic, no adhesion; the contact radius in unloading is not given"
+    )
+    citation: ClassVar[str] = (
+        "@article{edmans2020, author={Edmans, B. D. and Sinka, I. C.}, "
+        "title={Unloading of elastoplastic spheres from large deformations}, "
+        "journal={Powder Technology}, volume={374}, pages={618--631}, year={2020}}"
+    )
+
+    def curve(self, displacement: Array, peak: Peak) -> Curve:
+        """Force below a peak (2); this law has no contact radius."""
+        e, largest = self.youngs_modulus / self.yield_stress, _over_radius(peak)
+        for quantity, value, limits in (
+            ("E/sigma_y", e, RATIO),
+            ("poisson_ratio", self.poisson_ratio, POISSON),
+            ("x at the peak", largest[largest > 0.0], DISPLACEMENT),
+        ):
+            warn_outside(self.name, quantity, value, limits)
+        at = largest, e, self.poisson_ratio
+        alpha = exponent(*at) if self.exponent is None else self.exponent
+        law = Unloading(secant_stiffness(*at), alpha)
+        return power_law(displacement, peak, law)
+
+
+def power_law(displacement: Array, peak: Peak, law: Unloading) -> Curve:
+    """Force of the power law (2) for a peak with units [N]."""
+    value = force(displacement / peak.radius, _over_radius(peak), peak.force, law)
+    return Curve(value, np.full_like(value, np.nan))
+
+
+def _over_radius(peak: Peak) -> Array:
+    return np.asarray(peak.displacement / peak.radius)

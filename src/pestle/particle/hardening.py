@@ -60,9 +60,11 @@ def hollomon_from_ludwik(
 
     stress = material.stress(plastic_strain)
     strain, scale = plastic_strain + stress / material.youngs_modulus, stress[-1]
-    fit = least_squares(
-        lambda v: v[0] * strain ** v[1] - stress / scale, (1.0, 0.3), **TIGHT
-    )
+
+    def residual(v: NDArray[np.float64]) -> NDArray[np.float64]:
+        return v[0] * strain ** v[1] - stress / scale
+
+    fit = least_squares(residual, (1.0, 0.3), **TIGHT)
     return Hollomon(float(fit.x[0] * scale), float(fit.x[1]))
 
 

@@ -13,9 +13,12 @@ References: S. Luding, Granul. Matter 10 (2008) 235-246; O. R. Walton and R. L. 
 J. Rheol. 30 (1986) 949-980.
 """
 
-from typing import Any
+from dataclasses import dataclass
+from typing import Any, ClassVar
 
 import numpy as np
+
+from pestle.particle.law import Array, Curve, Peak, Unloading, parameter, register
 
 
 def luding_stiffness(k1: Any, k2_max: Any, largest: Any, transition: Any) -> Any:
@@ -32,3 +35,75 @@ def luding_stiffness(k1: Any, k2_max: Any, largest: Any, transition: Any) -> Any
 def walton_stiffness(k1: Any, slope: Any, force_max: Any) -> Any:
     """Unloading stiffness k_2 = k_1 + S F_max; `slope` S [1/displacement]."""
     return k1 + slope * force_max
+
+
+@register
+@dataclass(frozen=True, kw_only=True)
+class Luding2008(Unloading):
+    """Linear unloading whose stiffness rises with the largest displacement."""
+
+    stiffness_ratio: float = parameter(
+        "largest unloading stiffness over secant loading stiffness, k_2max/k_1",
+        "1",
+        1.0,
+    )
+    transition: float = parameter(
+        "displacement d_c* over the radius at which it is reached", "1"
+    )
+
+    name: ClassVar[str] = "luding2008"
+    summary: ClassVar[str] = "linear unloading, stiffer with displacement, Eq. 7"
+    validity: ClassVar[str] = (
+        "a rule with two free numbers; the ratio k_2/k_1 of simulations is not linear "
+        "in displacement (Edmans and Sinka 2020, Fig. 10)"
+    )
+    citation: ClassVar[str] = (
+        "@article{luding2008, author={Luding, S.}, title={Cohesive, frictional "
+        "powders: contact models for tension}, journal={Granular Matter}, volume={10}, "
+        "pages={235--246}, year={2008}, doi={10.1007/s10035-008-0099-x}}"
+    )
+
+    def curve(self, displacement: Array, peak: Peak) -> Curve:
+        """Force below a peak; this law has no contact radius."""
+        k1 = peak.force / peak.displacement
+        k2 = luding_stiffness(
+            k1,
+            self.stiffness_ratio * k1,
+            peak.displacement,
+            self.transition * peak.radius,
+        )
+        return _line(displacement, peak, k2)
+
+
+@register
+@dataclass(frozen=True, kw_only=True)
+class Walton1986(Unloading):
+    """Linear unloading whose stiffness rises with the largest force."""
+
+    stiffening: float = parameter(
+        "rise S of the unloading stiffness with the largest force", "1/m"
+    )
+
+    name: ClassVar[str] = "walton1986"
+    summary: ClassVar[str] = "linear unloading, stiffer with force"
+    validity: ClassVar[str] = (
+        "a rule with one free number; the ratio k_2/k_1 of simulations is not linear "
+        "in force (Edmans and Sinka 2020, Fig. 11)"
+    )
+    citation: ClassVar[str] = (
+        "@article{walton1986, author={Walton, O. R. and Braun, R. L.}, "
+        "title={Viscosity, granular-temperature, and stress calculations for shearing "
+        "assemblies of inelastic, frictional disks}, journal={Journal of Rheology}, "
+        "volume={30}, pages={949--980}, year={1986}, doi={10.1122/1.549893}}"
+    )
+
+    def curve(self, displacement: Array, peak: Peak) -> Curve:
+        """Force below a peak; this law has no contact radius."""
+        k1 = peak.force / peak.displacement
+        k2 = walton_stiffness(k1, self.stiffening, peak.force)
+        return _line(displacement, peak, k2)
+
+
+def _line(displacement: Array, peak: Peak, k2: Any) -> Curve:
+    value = np.maximum(peak.force - k2 * (peak.displacement - displacement), 0.0)
+    return Curve(value, np.full_like(value, np.nan))

@@ -18,10 +18,21 @@ Reference: S. Dj. Mesarovic and K. L. Johnson, J. Mech. Phys. Solids 48 (2000)
 2009-2033.
 """
 
+from dataclasses import dataclass
 from math import pi
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
+
+from pestle.particle.law import (
+    Array,
+    Curve,
+    Peak,
+    Unloading,
+    parameter,
+    register,
+    warn_once,
+)
 
 
 def force_ratio(radius_ratio: Any) -> Any:
@@ -45,3 +56,40 @@ def radius_ratio(left: Any) -> Any:
     """Ratio of contact radii while a part `left` of the recovery is to come [-]."""
     gone = 1.0 - np.clip(left, 0.0, 1.0)
     return np.sqrt(1.0 - gone**2)
+
+
+@register
+@dataclass(frozen=True, kw_only=True)
+class Mesarovic2000(Unloading):
+    """Elastic unloading of a contact whose pressure has become uniform."""
+
+    youngs_modulus: float = parameter("Young's modulus E", "Pa")
+    poisson_ratio: float = parameter("Poisson ratio nu", "1", -1.0, 0.5)
+
+    name: ClassVar[str] = "mesarovic2000"
+    summary: ClassVar[str] = "elastic unloading from a uniform pressure, with radius"
+    validity: ClassVar[str] = (
+        "fully plastic contacts that are small against the particle; at x = 0.5 only "
+        "for soft particles (Edmans and Sinka 2020, Fig. 13)"
+    )
+    citation: ClassVar[str] = (
+        "@article{mesarovic2000, author={Mesarovic, S. Dj. and Johnson, K. L.}, "
+        "title={Adhesive contact of elastic-plastic spheres}, journal={Journal of the "
+        "Mechanics and Physics of Solids}, volume={48}, pages={2009--2033}, "
+        "year={2000}, doi={10.1016/S0022-5096(00)00004-1}}"
+    )
+
+    def curve(self, displacement: Array, peak: Peak) -> Curve:
+        """Force and contact radius below a peak (10)."""
+        modulus = self.youngs_modulus / (1.0 - self.poisson_ratio**2)
+        back = recovered(peak.force, peak.contact_radius, modulus)
+        if np.any((back > peak.displacement) & (peak.displacement > 0.0)):
+            warn_once(
+                self.name,
+                "uniform pressure",
+                "a contact would give back more than it was pressed: its pressure is "
+                "not uniform, it is still elastic (Mesarovic and Johnson 2000)",
+            )
+        left = 1.0 - (peak.displacement - displacement) / back
+        ratio = radius_ratio(left)
+        return Curve(peak.force * force_ratio(ratio), peak.contact_radius * ratio)

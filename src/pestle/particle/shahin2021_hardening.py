@@ -23,7 +23,7 @@ import numpy as np
 
 from pestle.errors import InputError, did_you_mean
 from pestle.particle.configuration import cell, cell_slope, deformation
-from pestle.particle.shahin2021 import Hardness
+from pestle.particle.shahin2021_hardness import Hardness
 from pestle.particle.shahin2021_plastic import Plastic, plastic
 from pestle.particle.shahin2021_radius import Coefficients, rigid_coefficients
 

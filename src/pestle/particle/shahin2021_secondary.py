@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from pestle.errors import InputError
-from pestle.particle.shahin2021 import (
+from pestle.particle.shahin2021_hardness import (
     Hardness,
     Onset,
     Parameters,

@@ -2,7 +2,7 @@
 
 from math import pi
 
-from pestle.particle import shahin2021, shahin2021_hardening
+from pestle.particle import shahin2021_hardening, shahin2021_hardness
 from pestle.particle.shahin2021_radius import (
     contact_radius,
     relative_radius,
@@ -66,7 +66,7 @@ def hardening_law(i):
     h = shahin2021_hardening.hardness(i["x"], k)
     a, value = float(relative_radius(i["x"], k.radius)), float(h.value)
     return {
-        "regime": shahin2021.REGIMES[int(h.regime)],
+        "regime": shahin2021_hardness.REGIMES[int(h.regime)],
         "H": value,
         "dH_dx": float(h.slope),
         "a_over_R": a,

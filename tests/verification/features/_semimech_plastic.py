@@ -4,7 +4,7 @@ from math import pi
 
 import numpy as np
 
-from pestle.particle import shahin2021 as law
+from pestle.particle import shahin2021_hardness as law
 from pestle.particle import shahin2021_radius as radius
 from pestle.particle import shahin2021_secondary as secondary
 from pestle.particle.shahin2021_plastic import density_product, softening
