@@ -1,0 +1,206 @@
+r"""Nan, Goh and Rahman (2022): linear elastic-plastic adhesive contact.
+
+Straight lines: jump-in to -8/9 f_ce at touch, k_el up to yield, k_p beyond, unloading
+along k_e, which grows with the largest overlap, down to the pull-off force f_cp, then a
+rising adhesive line -k_c until the contact parts at 5/9 f_cp.  A parted contact
+attaches again at alpha_c0.  All parameters follow from the material:
+
+.. math::
+    k_{el} = \pi R^* p_y \;(52), \quad f_y = f_{y0}\sqrt{\frac{6}{5}\frac{k_{el}}
+    {\pi R^* p_y}} \;(28), \quad k_e = k_{el}\sqrt{\alpha_{max}/\alpha_y} \;(46), \quad
+    p_y = 1.295\,e^{0.736\nu}\sigma_y \;(32)
+
+.. math::
+    \frac{f_{cp}}{f_{ce}} = \tfrac12\Big(\sqrt{A^2 + 4\tfrac{k_e}{k_{el}}
+    (\tfrac{\alpha_p}{\alpha_0}A+1)} - A\Big) \;(59), \quad
+    A = \frac{96}{56\,k_e/k_c+17} \;(56)
+
+The closed forms are those of `pestle.reference.nan2022`.  Damping (24)-(26): the
+engine's 2 gamma sqrt(m* k_n), times `damping_after_yield` once the contact has yielded.
+Friction (21)-(23): a = k_n/(2 E*) makes the engine's spring k_t = 4 G*/E* k_n; it is
+incremental, limited by mu |f|.  The reading notes (docs/papers/nan2022) say where we
+depart from print.  Valid for a cohesion-yield number above 0.00115:
+below, (36) has no answer and k_e/k_c is held at 0.01.
+
+Reference: W. Nan, W. P. Goh, M. T. Rahman, Powder Technol. 406 (2022) 117634.
+"""
+
+import warnings
+from dataclasses import dataclass, field
+from math import inf, pi
+from typing import ClassVar, NamedTuple
+
+from pestle.errors import InputError
+from pestle.laws._base import EnergyWarning, Geometry, Pair, Response, Solid, register
+from pestle.reference import nan2022 as theory
+from pestle.reference.nan2022 import Contact, respond, stiffness_ratio
+from pestle.reference.nan2022 import contact as complete
+from pestle.reference.nan2022_energy import yield_pressure, yield_pressure_chang
+
+PRESSURES = {"jackson_green": yield_pressure, "chang": yield_pressure_chang}
+
+
+class Constants(NamedTuple):
+    """What the kernel needs of a pair of materials."""
+
+    modulus: float  # E* [Pa]
+    adhesion: float  # Gamma [J/m^2]
+    pressure: float  # p_y of the softer body [Pa]
+    elastic: float  # k_el/(pi R* p_y) [-]
+    plastic: float  # k_p/k_el [-]
+    rule: float  # of the pull-off force
+    damping: float  # factor after yield [-]
+    forget: float  # overlap where a parted contact forgets [m]
+
+
+class State(NamedTuple):
+    """What a contact remembers; zero before the first touch."""
+
+    peak: float  # alpha_max once yielded [m]
+    attached: float  # cs, 1 in contact
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Nan2022:
+    """Linear elastic-plastic adhesive contacts with parameters from the material.
+
+    Parameters
+    ----------
+    pull_off : str
+        ``"nan59"``, ``"tn64"``, ``"energy67"`` or ``"pasha61"`` (which creates energy).
+    pressure_rule : str
+        Limiting pressure from the yield stress: (32) or (33).
+    elastic_ratio : float
+        k_el over pi R* p_y [-]: 1 is (52).
+    plastic_ratio : float
+        k_p over k_el, at most 1 [-].
+    damping_after_yield : float
+        beta of (26) after yield [-].
+    alpha_forget : float
+        A parted contact below this overlap is as new [m].
+    """
+
+    pull_off: str = field(
+        default="nan59",
+        metadata={"help": "rule of the pull-off force", "choices": theory.RULES},
+    )
+    pressure_rule: str = field(
+        default="jackson_green",
+        metadata={"help": "p_y from the yield stress", "choices": tuple(PRESSURES)},
+    )
+    elastic_ratio: float = field(
+        default=1.0, metadata={"help": "k_el over pi R* p_y [-]"}
+    )
+    plastic_ratio: float = field(default=1.0, metadata={"help": "k_p over k_el [-]"})
+    damping_after_yield: float = field(
+        default=0.1, metadata={"help": "factor on the damping of yielded contacts [-]"}
+    )
+    alpha_forget: float = field(
+        default=0.0,
+        metadata={"help": "overlap where a parted contact forgets [m]", "unit": "m"},
+    )
+
+    name: ClassVar[str] = "nan2022"
+    summary: ClassVar[str] = "linear elastic-plastic adhesive, all from material data"
+    linear: ClassVar[bool] = True
+    requires: ClassVar[tuple[str, ...]] = ("yield_stress",)
+    citation: ClassVar[str] = (
+        "@article{nan2022, author={Nan, Wenguang and Goh, Wei Pin and Rahman, "
+        "Mohammad Tarequr}, title={Elasto-plastic and adhesive contact: An improved "
+        "linear model and its application}, journal={Powder Technology}, volume={406}, "
+        "pages={117634}, year={2022}, doi={10.1016/j.powtec.2022.117634}}"
+    )
+
+    def __post_init__(self) -> None:
+        """Check the options."""
+        for name, choices in (
+            ("pull_off", theory.RULES),
+            ("pressure_rule", tuple(PRESSURES)),
+        ):
+            if getattr(self, name) not in choices:
+                raise InputError(
+                    "unknown-choice",
+                    f"{name} {getattr(self, name)!r} is none of {', '.join(choices)}",
+                    f"law.{name}",
+                )
+        if not 0.0 < self.plastic_ratio <= 1.0:
+            raise InputError(
+                "bad-plastic-ratio",
+                f"plastic_ratio {self.plastic_ratio:g} is not between 0 and 1",
+                "law.plastic_ratio",
+                "with k_p above k_el the contact would never yield",
+            )
+        if not self.elastic_ratio > 0.0 or self.damping_after_yield < 0.0:
+            raise InputError(
+                "negative-option",
+                "elastic_ratio must be positive, damping_after_yield not negative",
+                "law.elastic_ratio",
+            )
+        if not -inf < self.alpha_forget <= 0.0:
+            raise InputError(
+                "bad-forget",
+                f"alpha_forget {self.alpha_forget:g} m is positive or infinite",
+                "law.alpha_forget",
+                "0, or minus the gap over which flattened contacts are remembered",
+            )
+        if self.pull_off == "pasha61":
+            warnings.warn(
+                "pull_off = pasha61: a slightly yielded contact loses its adhesion and "
+                "creates energy; use nan59",
+                EnergyWarning,
+                stacklevel=2,
+            )
+
+    def constants(self, pair: Pair) -> Constants:
+        """Reduce a pair of materials to the constants of its contacts."""
+        return Constants(
+            pair.modulus,
+            pair.work_of_adhesion,
+            min(self._pressure(side) for side in (pair.first, pair.second)),
+            self.elastic_ratio,
+            self.plastic_ratio,
+            float(theory.RULES.index(self.pull_off)),
+            self.damping_after_yield,
+            self.alpha_forget,
+        )
+
+    def _pressure(self, solid: Solid) -> float:
+        return PRESSURES[self.pressure_rule](solid.yield_stress, solid.poisson_ratio)
+
+
+def parameters(k: Constants, radius: float) -> Contact:
+    """Complete contact of a reduced radius [m]."""
+    elastic = k.elastic * pi * radius * k.pressure
+    ratio = stiffness_ratio(k.modulus, radius, k.adhesion, elastic)
+    return complete(
+        k.modulus,
+        radius,
+        k.adhesion,
+        k.pressure,
+        elastic,
+        k.plastic * elastic,
+        max(ratio, 0.01),
+        k.rule,
+    )
+
+
+def contact(k: Constants, g: Geometry, s: State) -> tuple[Response, State]:
+    """Force, stiffness, stored energy and new state at an overlap."""
+    c = parameters(k, g.radius)
+    r = respond(c, g.overlap, s.peak, s.attached, k.forget)
+    damping = k.damping if r.peak > 0.0 else 1.0
+    a = 0.5 * r.stiffness / k.modulus
+    return (
+        Response(r.force, a, r.stiffness, r.stored, damping),
+        State(r.peak, r.attached),
+    )
+
+
+def reach(k: Constants, g: Geometry) -> float:
+    """Farthest negative overlap at which a contact pulls or remembers [m]."""
+    c = parameters(k, g.radius)
+    leave = [theory.unloading(c, c.yield_overlap * 1.01**n).leave for n in range(500)]
+    return max(-min(leave), -k.forget, 0.0)
+
+
+register(Nan2022, constants=Constants, state=State, contact=contact, reach=reach)
