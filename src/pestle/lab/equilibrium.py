@@ -22,6 +22,7 @@ GAP = 1e-10
 """Largest distance of a touching node from the flat [R]."""
 _ITERATIONS = 25
 _HALVINGS = 6
+_GROWTH, _SMALL = 5.0, 0.01  # a residual above both has never come down again
 
 
 class NotConverged(Exception):
@@ -59,6 +60,14 @@ class Equilibrium:
     def force(self) -> float:
         """Force of the flat [E R^2]."""
         return float(self.pushes[self.active].sum())
+
+
+def _is_lost(residuals: list[float]) -> bool:
+    """Tell a residual that would not come down again."""
+    now = residuals[-1]
+    if len(residuals) < 3:
+        return bool(np.isnan(now))
+    return not now <= max(_GROWTH * max(residuals[:2]), _SMALL)
 
 
 class Contact:
@@ -130,7 +139,7 @@ class Contact:
             if same and residuals[-1] < TOLERANCE and worst < GAP:
                 bare = answer._replace(matrix=None)
                 return Equilibrium(depth, u, active, pushes, bare, tuple(residuals))
-            if np.isnan(residuals[-1]):
+            if _is_lost(residuals):
                 break
             change = np.zeros(self.assembly.size)
             change[self.surface[active]] = -gap[active]

@@ -11,8 +11,10 @@ def contact_radius(
 ) -> tuple[float, float, float]:
     """Contact radius with its bracket.
 
-    Near the edge the gap grows as the power 3/2 of the distance; the straight line
-    through gap^(2/3) of the next two free nodes gives the edge, kept in the bracket.
+    Beyond the edge the gap grows as the power 3/2 of the distance in an elastic contact
+    and at a finite slope in plastic flow. The line through gap^(2/3) of the next two
+    free nodes and that through their gaps give two edges; the mean of both is taken,
+    kept in the bracket. Nothing finer than an edge of the mesh is resolved.
 
     Returns
     -------
@@ -25,11 +27,16 @@ def contact_radius(
     last = int(touching[-1])
     place = mesh.points[mesh.surface] + u[mesh.surface]
     inner, outer, far = (float(place[min(last + i, len(place) - 1), 0]) for i in range(3))
-    gaps = np.maximum(place[last + 1 : last + 3, 1] - depth, 0.0) ** (2.0 / 3.0)
+    gaps = np.maximum(place[last + 1 : last + 3, 1] - depth, 0.0)
     if len(gaps) < 2 or gaps[1] <= gaps[0]:
         return 0.5 * (inner + outer), inner, outer
-    edge = outer - gaps[0] * (far - outer) / (gaps[1] - gaps[0])
-    return float(np.clip(edge, inner, outer)), inner, outer
+    edges = [_zero(outer, far, gaps**power) for power in (2.0 / 3.0, 1.0)]
+    return float(np.clip(edges, inner, outer).mean()), inner, outer
+
+
+def _zero(first: float, second: float, values: Floats) -> float:
+    """Where the straight line through two values reaches zero."""
+    return first - float(values[0]) * (second - first) / float(values[1] - values[0])
 
 
 def pressure_profile(

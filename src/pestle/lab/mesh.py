@@ -98,7 +98,7 @@ class Mesh:
         gradients = np.empty((*r.shape, 4, 3))
         for a, shape in enumerate(shapes):
             gradients[:, :, a, :2] = np.moveaxis(shape.grad, 0, -1)
-            gradients[:, :, a, 2] = np.broadcast_to(shape.value, r.shape) / r
+            gradients[:, :, a, 2] = np.broadcast_to(np.asarray(shape), r.shape) / r
         return gradients, 2.0 * np.pi * r * basis.dx
 
     @cached_property
