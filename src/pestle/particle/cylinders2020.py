@@ -62,7 +62,7 @@ def plastic_radius(d: Any, e: Any) -> Any:
 def loading_force(d: Any, e: Any) -> Any:
     """Force of loading (17) [-]."""
     core = plastic_radius(d, e) ** 2
-    # the annulus is E (root_p - root_m)^2 with root_m = 1 - d, without a difference of 1
+    # the annulus: E (root_p - root_m)^2 with root_m = 1 - d, no difference of ones
     return core + e * (d - core / (1.0 + np.sqrt(1.0 - core))) ** 2
 
 
