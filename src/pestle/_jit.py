@@ -63,6 +63,7 @@ def inline(function: Callable[..., Any]) -> Any:
 def _inline(function: Any, done: dict[Any, Any]) -> Any:
     if function in done:
         return done[function]
+    done[function] = function  # an attribute may have the function's own name
     names = dict(function.__globals__)
     for name in function.__code__.co_names:
         value = names.get(name)
