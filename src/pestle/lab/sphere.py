@@ -121,6 +121,24 @@ class Sphere:
         """Depth of the first step: 2.5 edges in contact [R]."""
         return 0.5 * float(_EDGES_AT_START * self.mesh.edges[0]) ** 2
 
+    def touch(self, depth: float) -> Moment:
+        """Press an intact sphere to a depth [R] in one step: for small depths."""
+        mesh = self.mesh
+        active = mesh.points[mesh.surface, 1] < 0.6 * depth
+        try:
+            found = self.contact.equilibrium(
+                depth,
+                guess=np.zeros_like(mesh.points),
+                active=active,
+                state=self.assembly.fresh_state(),
+                least_force=0.0,
+            )
+        except NotConverged as error:
+            raise _stuck(None, "the first touch", str(error)) from error
+        radius = contact_radius(mesh, found.u, found.active, depth)
+        elastic, plastic = self._works(None, found)
+        return Moment(found, None, 0.5 * found.force * depth, elastic, plastic, radius)
+
     def load_to(self, depth: float, start: Moment | None = None) -> Moment:
         """Press the flat to a depth [R] and return the end."""
         return list(self.load([depth], start))[-1]
@@ -206,7 +224,7 @@ class Sphere:
     def _load_step(self, moment: Moment | None, depth: float) -> Moment:
         """One step towards a depth, shortened until it converges."""
         if moment is None:
-            return self._first_step(min(depth, self.first_depth))
+            return self.touch(min(depth, self.first_depth))
         regular = self._regular_step(moment)
         reason = ""
         while self._fraction >= _FINEST:
@@ -224,23 +242,6 @@ class Sphere:
             return result
         self._fraction = 1.0
         raise _stuck(moment, "loading", reason)
-
-    def _first_step(self, depth: float) -> Moment:
-        mesh = self.mesh
-        active = mesh.points[mesh.surface, 1] < 0.6 * depth
-        try:
-            found = self.contact.equilibrium(
-                depth,
-                guess=np.zeros_like(mesh.points),
-                active=active,
-                state=self.assembly.fresh_state(),
-                least_force=0.0,
-            )
-        except NotConverged as error:
-            raise _stuck(None, "the first touch", str(error)) from error
-        radius = contact_radius(mesh, found.u, found.active, depth)
-        elastic, plastic = self._works(None, found)
-        return Moment(found, None, 0.5 * found.force * depth, elastic, plastic, radius)
 
     def _regular_step(self, moment: Moment) -> float:
         """Step that lets sqrt(2 depth) grow by half an edge at the rim [R]."""
