@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pestle.bench.subject import Array, PairContact, Subject
+from pestle.bench.subject import Array, PairContact, SingleParticle, Subject
 from pestle.errors import InputError
 
 LOADING_POINTS = 20_001
@@ -103,6 +103,7 @@ def given_back(subject: Subject, largest: Array) -> tuple[Array, Array]:
     end = separation(subject, largest)
     t = np.linspace(0.0, 1.0, UNLOADING_POINTS)
     path = largest[:, None] - (largest - end)[:, None] * t
+    path[:, -1] = end  # not a rounding beyond, where there is no force
     force = subject.follow(path).force
     widths = (largest - end) / (UNLOADING_POINTS - 1)
     inner = np.sum(force[:, 1:-1], axis=1)
@@ -125,6 +126,8 @@ def sticking_velocity(subject: Subject, low: float = 1e-6, high: float = 1e3) ->
 
     `low` and `high` bound the search [m/s]; inf if it stays at `high` too.
     """
+    if isinstance(subject, SingleParticle) and subject.reach == 0.0:
+        return 0.0  # nothing pulls
     high = _fastest(subject, low, high)
     rebound = [restitution(subject, v).restitution[0] for v in (low, high)]
     if rebound[1] == 0.0:
@@ -203,7 +206,7 @@ def collide(
     out = np.zeros((len(speed), 4))
     body = (subject.mass, 8.0 * subject.pair.shear_modulus, friction, damping_ratio)
     impactor(subject.parts)(
-        subject.constants, subject.sizes, subject.virgin, body, runs, out
+        subject.constants, subject.geometry, subject.virgin, body, runs, out
     )
     left = out[:, 3] > 0.0
     surface = np.where(lean > 0.0, speed * np.sin(lean), np.nan)

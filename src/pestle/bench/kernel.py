@@ -16,16 +16,16 @@ FORCE, RADIUS, STIFFNESS, STORED = range(4)
 @cache
 def follower(parts: Parts) -> Any:
     """Loop that follows paths of overlaps, a row a path, from a virgin contact."""
-    contact, reach = inline(parts.contact), inline(parts.reach)
+    contact = inline(parts.contact)
 
     def follow(k: Any, sizes: Any, paths: Any, zero: Any, out: Any) -> None:
-        radius, radius_i, radius_j = sizes
+        radius, radius_i, radius_j, reach = sizes
         for row in range(paths.shape[0]):
             state, force = zero, 0.0
             for n in range(paths.shape[1]):
                 g = Geometry(paths[row, n], radius, radius_i, radius_j, 1.0, force)
                 force = 0.0
-                if g.overlap < -reach(k, g):
+                if g.overlap < -reach:
                     state = zero  # parted: the contact is forgotten
                     out[:, row, n] = 0.0
                 else:
@@ -44,10 +44,10 @@ def impactor(parts: Parts) -> Any:
     The tangential spring is the engine's: it softens with the contact, slides at
     Coulomb's limit, and a dashpot never stretches it.
     """
-    contact, reach = inline(parts.contact), inline(parts.reach)
+    contact = inline(parts.contact)
 
     def impact(k: Any, sizes: Any, zero: Any, body: Any, runs: Any, out: Any) -> None:
-        radius, radius_i, radius_j = sizes
+        radius, radius_i, radius_j, reach = sizes
         mass, shear, friction, ratio = body
         for row in range(runs.shape[0]):
             speed, angle, dt, steps = runs[row]
@@ -62,7 +62,7 @@ def impactor(parts: Parts) -> Any:
                 spin -= 1.25 * dt * pull / mass
                 x += dt * vn
                 g = Geometry(x, radius, radius_i, radius_j, 1.0, force)
-                if x < -reach(k, g):
+                if x < -reach:
                     out[row, 3] = 1.0  # it has left
                     break
                 r, state = contact(k, g, state)

@@ -132,11 +132,16 @@ class PairContact:
         return (a if b == 0.0 else a * b / (a + b)), a, b
 
     @property
+    def geometry(self) -> tuple[float, float, float, float]:
+        """Sizes and reach, as the compiled loops take them [m]."""
+        return (*self.sizes, self.reach)
+
+    @property
     def largest(self) -> float:
         """Overlap beyond which the bench does not go [m]."""
         return self.sizes[0]
 
-    @property
+    @cached_property
     def reach(self) -> float:
         """Farthest negative overlap at which the contact may pull [m]."""
         from pestle.laws import Geometry
@@ -163,8 +168,7 @@ class PairContact:
         paths = np.asarray(path, dtype=float)
         rows = np.ascontiguousarray(paths.reshape(-1, paths.shape[-1]))
         out = np.zeros((4, *rows.shape))
-        parts = self.parts
-        follower(parts)(self.constants, self.sizes, rows, self.virgin, out)
+        follower(self.parts)(self.constants, self.geometry, rows, self.virgin, out)
         columns = out.reshape(4, *paths.shape)
         return Trace(paths, columns[FORCE], columns[RADIUS], columns[STORED])
 

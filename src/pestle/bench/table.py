@@ -79,4 +79,4 @@ def _netcdf(path: Path, columns: Columns) -> None:
             kind = "i4" if data.dtype.kind == "i" else "f8"
             variable = file.createVariable(label, kind, ("point",))
             variable[:] = data
-            variable.units = unit.rstrip("]") or "1"
+            setattr(variable, "units", unit.rstrip("]") or "1")  # noqa: B010

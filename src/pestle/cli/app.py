@@ -4,6 +4,7 @@ from typing import Annotated
 
 import typer
 
+from pestle.cli.bench import bench
 from pestle.cli.cite import cite
 from pestle.cli.laws import laws
 from pestle.cli.materials import materials
@@ -22,6 +23,8 @@ app = typer.Typer(
 
 for _command in (run, plan, report, laws, materials, cite, schema):
     app.command()(_command)
+# these explain the law that they are given, so that they see --help themselves
+app.command(context_settings={"help_option_names": []})(bench)
 
 
 def _version(value: bool) -> None:

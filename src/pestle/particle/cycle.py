@@ -73,7 +73,8 @@ class Cycle:
         top = self.loading.curve(largest, **at)
         virgin = self.loading.curve(np.minimum(path, largest), **at)
         with np.errstate(all="ignore"):  # before the first touch there is no peak
-            back = self.unloading.curve(path, Peak(largest, *top, radius))
+            peaks = np.where(below, largest, np.nan)  # only those that are used
+            back = self.unloading.curve(path, Peak(peaks, *top, radius))
         return self._joined(below, top=top, virgin=virgin, back=back)
 
     def _joined(self, below: Any, *, top: Curve, virgin: Curve, back: Curve) -> Curve:

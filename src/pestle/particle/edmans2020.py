@@ -134,7 +134,7 @@ class Edmans2020(UnloadingLaw):
         for quantity, value, limits in (
             ("E/sigma_y", e, RATIO),
             ("poisson_ratio", self.poisson_ratio, POISSON),
-            ("x at the peak", largest[largest > 0.0], DISPLACEMENT),
+            ("x at the peak", largest, DISPLACEMENT),
         ):
             warn_outside(self.name, quantity, value, limits)
         at = largest, e, self.poisson_ratio

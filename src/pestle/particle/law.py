@@ -67,6 +67,7 @@ def warn_once(law: str, quantity: str, text: str) -> None:
 def warn_outside(law: str, quantity: str, value: Any, limits: Range) -> None:
     """Warn once if any value of a quantity lies outside its range."""
     value = np.asarray(value, dtype=float)
+    value = value[np.isfinite(value)]
     low, high = np.min(value, initial=np.inf), np.max(value, initial=-np.inf)
     slack = 1e-9 * abs(limits.high)
     if low < limits.low - slack or high > limits.high + slack:

@@ -1,0 +1,1 @@
+"""Fit laws of a particle to measured curves of force against displacement."""
