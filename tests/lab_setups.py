@@ -15,7 +15,7 @@ TINY = scaled("coarse", 4.0)
 
 
 def block(r, z, *, wobble=0.0, seed=0):
-    """Rectangle of cells between lists of r and z; inner nodes off by `wobble` cells."""
+    """Cells between lists of r and z; inner nodes are off by `wobble` cells."""
     r, z = np.asarray(r, float), np.asarray(z, float)
     n, m = len(r), len(z)
     points = np.stack(np.meshgrid(r, z, indexing="ij"), axis=-1)

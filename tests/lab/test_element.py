@@ -1,5 +1,7 @@
 """The element: closed forms, patch test, tangent, rotation, and its slow twin."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -139,7 +141,7 @@ def test_rigid_shift_changes_nothing():
     assembly = Assembly(mesh, HARD)
     u = strained(mesh)
     still = assembly.evaluate(u, assembly.fresh_state())
-    moved = assembly.evaluate(u + [0.0, 0.7], assembly.fresh_state())
+    moved = assembly.evaluate(u + np.array([0.0, 0.7]), assembly.fresh_state())
     np.testing.assert_allclose(moved.force, still.force, atol=1e-15)
 
 
@@ -155,7 +157,7 @@ def test_newton_is_quadratic(material):
     last = [x for x in sizes if 1e-14 < x < 1e-2 * sizes[0]][-3:]
     assert len(last) >= 2
     assert sizes[-1] < 1e-13
-    constants = [b / a**2 for a, b in zip(last, last[1:], strict=False)]
+    constants = [b / a**2 for a, b in pairwise(last)]
     assert max(constants) * last[0] < 0.05
 
 

@@ -62,7 +62,8 @@ def check_curve(name, ratio, mesh, end):
     d = np.array([0.0, *(float(r["d_R"]) for r in rows)])
     force = np.array([0.0, *(float(r["F_ER2"]) for r in rows)])
     area = np.array([0.0, *(float(r["A_piR2"]) for r in rows)])
-    work = np.concatenate([[0.0], np.cumsum(0.5 * (force[1:] + force[:-1]) * np.diff(d))])
+    steps = 0.5 * (force[1:] + force[:-1]) * np.diff(d)
+    work = np.concatenate([[0.0], np.cumsum(steps)])
     lab = Sphere(Material(ratio, 0.3), mesh)
     found = [m for m in lab.load([0.01, end]) if m.depth >= 0.01]
     depths = np.array([m.depth for m in found])

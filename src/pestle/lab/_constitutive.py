@@ -101,7 +101,11 @@ def update(e1, e2, e3, strain, bulk, shear, kind, table, out):
     p = bulk * volume
     two_g = 2.0 * shear * factor
     out[0], out[1], out[2] = p + two_g * d1, p + two_g * d2, p + two_g * d3
-    out[3], out[4], out[5] = third + factor * d1, third + factor * d2, third + factor * d3
+    out[3], out[4], out[5] = (
+        third + factor * d1,
+        third + factor * d2,
+        third + factor * d3,
+    )
     out[6] = strain + step
     out[7] = factor
     out[8] = coefficient

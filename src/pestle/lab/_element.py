@@ -70,7 +70,11 @@ def respond(f, scale, state, constants, table, out):
     of the first principal axis and (ln b1 - ln b2)/(b1 - b2).
     """
     frr, frz, fzr, fzz, ftt = (
-        scale * f[0], scale * f[1], scale * f[2], scale * f[3], scale * f[4]
+        scale * f[0],
+        scale * f[1],
+        scale * f[2],
+        scale * f[3],
+        scale * f[4],
     )
     crr, crz, czz, ctt = state[0], state[1], state[2], state[3]
     xr, yr = frr * crr + frz * crz, frr * crz + frz * czz
@@ -95,8 +99,15 @@ def respond(f, scale, state, constants, table, out):
             c = 0.5 * brz / (radius * s)
     kind = int(constants[2])
     update(
-        middle + spread, middle - spread, 0.5 * log(btt), state[4],
-        constants[0], constants[1], kind, table, out,
+        middle + spread,
+        middle - spread,
+        0.5 * log(btt),
+        state[4],
+        constants[0],
+        constants[1],
+        kind,
+        table,
+        out,
     )
     if out[6] > state[4]:
         b1, b2, b3 = exp(2.0 * out[3]), exp(2.0 * out[4]), exp(2.0 * out[5])
@@ -126,7 +137,7 @@ def to_axes(h, c, s, rotated):
 
 
 @inner
-def stress_rates(l, bulk, shear, out, geometry, rates):
+def stress_rates(bar, bulk, shear, out, geometry, rates):
     """Change of the stress (11, 12+21, 22, tt) along each of the 8 gradients l.
 
     `geometry` = (ln b1 - ln b2)/(b1 - b2), b1, b2.
@@ -134,22 +145,24 @@ def stress_rates(l, bulk, shear, out, geometry, rates):
     g2 = 2.0 * shear * out[7]
     turn = 0.5 * g2 * geometry[0]
     for i in range(8):
-        volume = l[i, 0] + l[i, 3] + l[i, 4]
+        volume = bar[i, 0] + bar[i, 3] + bar[i, 4]
         plain = (bulk - g2 / 3.0) * volume
-        along = out[8] * (out[9] * l[i, 0] + out[10] * l[i, 3] + out[11] * l[i, 4])
-        rates[i, 0] = plain + g2 * l[i, 0] - along * out[9]
-        rates[i, 2] = plain + g2 * l[i, 3] - along * out[10]
-        rates[i, 3] = plain + g2 * l[i, 4] - along * out[11]
-        rates[i, 1] = turn * (l[i, 1] * geometry[2] + l[i, 2] * geometry[1])
+        along = out[8] * (
+            out[9] * bar[i, 0] + out[10] * bar[i, 3] + out[11] * bar[i, 4]
+        )
+        rates[i, 0] = plain + g2 * bar[i, 0] - along * out[9]
+        rates[i, 2] = plain + g2 * bar[i, 3] - along * out[10]
+        rates[i, 3] = plain + g2 * bar[i, 4] - along * out[11]
+        rates[i, 1] = turn * (bar[i, 1] * geometry[2] + bar[i, 2] * geometry[1])
 
 
 @inner
-def add_point(weight, h, l, rates, out, first, force, matrix, tangent):
+def add_point(weight, h, bar, rates, out, first, force, matrix, tangent):
     """Add one point's forces and stiffness; weight = w theta."""
     s1, s2, s3 = out[0], out[1], out[2]
     p = (s1 + s2 + s3) / 3.0
     for i in range(8):
-        work = s1 * l[i, 0] + s2 * l[i, 3] + s3 * l[i, 4]
+        work = s1 * bar[i, 0] + s2 * bar[i, 3] + s3 * bar[i, 4]
         force[i] += weight * work
         if not tangent:
             continue
@@ -157,24 +170,34 @@ def add_point(weight, h, l, rates, out, first, force, matrix, tangent):
             a = h[i, 0] * h[j, 0]
             b = h[i, 3] * h[j, 3]
             d = h[i, 4] * h[j, 4]
-            e, g = h[i, 1] * h[j, 2], h[i, 2] * h[j, 1]
+            e, o = h[i, 1] * h[j, 2], h[i, 2] * h[j, 1]
             matrix[i, j] += weight * (
-                l[i, 0] * rates[j, 0]
-                + l[i, 3] * rates[j, 2]
-                + l[i, 4] * rates[j, 3]
-                + (l[i, 1] + l[i, 2]) * rates[j, 1]
+                bar[i, 0] * rates[j, 0]
+                + bar[i, 3] * rates[j, 2]
+                + bar[i, 4] * rates[j, 3]
+                + (bar[i, 1] + bar[i, 2]) * rates[j, 1]
                 + work * first[j]
                 - s1 * (a + e)
-                - s2 * (b + g)
+                - s2 * (b + o)
                 - s3 * d
-                + p * (a + b + d + e + g)
+                + p * (a + b + d + e + o)
             )
 
 
 @kernel
 def element_pass(
-    u, cells, gradients, weights, state, constants, table, tangent, forces, matrices,
-    new_state, stress,
+    u,
+    cells,
+    gradients,
+    weights,
+    state,
+    constants,
+    table,
+    tangent,
+    forces,
+    matrices,
+    new_state,
+    stress,
 ):
     """Forces, stiffness and new state of all elements.
 
@@ -212,7 +235,7 @@ def element_pass(
     local = np.empty((4, 2))
     f = np.empty((4, 5))
     h = np.empty((4, 8, 5))
-    l = np.empty((8, 5))
+    bar = np.empty((8, 5))
     axes = np.empty((8, 5))
     rates = np.empty((8, 4))
     first = np.empty(8)
@@ -252,14 +275,14 @@ def element_pass(
             to_axes(h[q], c, s, axes)
             for i in range(8):
                 shift = (first[i] - axes[i, 0] - axes[i, 3] - axes[i, 4]) / 3.0
-                l[i, 0], l[i, 3] = axes[i, 0] + shift, axes[i, 3] + shift
-                l[i, 4] = axes[i, 4] + shift
-                l[i, 1], l[i, 2] = axes[i, 1], axes[i, 2]
+                bar[i, 0], bar[i, 3] = axes[i, 0] + shift, axes[i, 3] + shift
+                bar[i, 4] = axes[i, 4] + shift
+                bar[i, 1], bar[i, 2] = axes[i, 1], axes[i, 2]
             if tangent:
                 geometry[0] = slope
                 geometry[1], geometry[2] = mean + radius, mean - radius
-                stress_rates(l, bulk, shear, out, geometry, rates)
-            add_point(weight, axes, l, rates, out, first, force, matrix, tangent)
+                stress_rates(bar, bulk, shear, out, geometry, rates)
+            add_point(weight, axes, bar, rates, out, first, force, matrix, tangent)
             pressure += weight * (out[0] + out[1] + out[2]) / 3.0
             for i in range(4):
                 new_state[k, q, i] = out[13 + i]

@@ -43,7 +43,9 @@ class Assembly:
         self.constants, self.table = material.kernel_constants()
         count = len(mesh.cells)
         unknowns = 2 * mesh.cells[:, :, None] + np.arange(2)
-        self.unknowns = np.ascontiguousarray(unknowns.reshape(count, 8).astype(np.int64))
+        self.unknowns = np.ascontiguousarray(
+            unknowns.reshape(count, 8).astype(np.int64)
+        )
         self.size = 2 * len(mesh.points)
         self._make_pattern()
         self._forces = np.empty((count, 8))

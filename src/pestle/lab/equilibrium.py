@@ -118,7 +118,7 @@ class Contact:
         NotConverged
             If there is none, or none was found.
         """
-        u, answer, residuals = guess, None, []
+        u, residuals = guess, list[float]()
         change = np.zeros(self.assembly.size)
         for _ in range(_ITERATIONS):
             u, answer = self._damped(u, change, state)

@@ -26,7 +26,9 @@ def contact_radius(
         return 0.0, 0.0, 0.0
     last = int(touching[-1])
     place = mesh.points[mesh.surface] + u[mesh.surface]
-    inner, outer, far = (float(place[min(last + i, len(place) - 1), 0]) for i in range(3))
+    inner, outer, far = (
+        float(place[min(last + i, len(place) - 1), 0]) for i in range(3)
+    )
     gaps = np.maximum(place[last + 1 : last + 3, 1] - depth, 0.0)
     if len(gaps) < 2 or gaps[1] <= gaps[0]:
         return 0.5 * (inner + outer), inner, outer

@@ -148,7 +148,9 @@ def quarter_disc(mesh: str | Fineness) -> Mesh:
         return _build("own", mesh)
     if mesh not in MESHES:
         raise InputError(
-            "unknown-mesh", f'there is no mesh "{mesh}"', hint=did_you_mean(mesh, MESHES)
+            "unknown-mesh",
+            f'there is no mesh "{mesh}"',
+            hint=did_you_mean(mesh, MESHES),
         )
     return _build(mesh, MESHES[mesh])
 
@@ -156,8 +158,10 @@ def quarter_disc(mesh: str | Fineness) -> Mesh:
 def scaled(mesh: str, factor: float) -> Fineness:
     """Fineness with edges `factor` times as long as those of a named mesh [-]."""
     base = MESHES[mesh]
-    counts = [max(2, round(n / factor)) for n in (base.arc, base.rest, base.layers)]
-    return Fineness(*counts, base.first * factor, base.last * factor)
+    arc, rest, layers = (
+        max(2, round(n / factor)) for n in (base.arc, base.rest, base.layers)
+    )
+    return Fineness(arc, rest, layers, base.first * factor, base.last * factor)
 
 
 def graded(length: float, first: float, count: int) -> Floats:
@@ -225,12 +229,8 @@ def _core(upper: Floats, lower: Floats, share: Floats, part: Floats) -> Floats:
     s, t = share[:, None], part[None, :]
     edges = (1 - t) * upper[:, None] + t * bottom[:, None]
     edges = edges + (1 - s) * axis[None, :] + s * lower[None, :]
-    return edges - (
-        (1 - s) * (1 - t) * top
-        + (1 - s) * t * centre
-        + s * (1 - t) * corner
-        + s * t * side
-    )
+    corners = (1 - s) * (1 - t) * top + (1 - s) * t * centre
+    return np.asarray(edges - corners - s * (1 - t) * corner - s * t * side)
 
 
 def _merge(blocks: list[Floats]) -> tuple[Floats, Integers]:
@@ -250,7 +250,8 @@ def _merge(blocks: list[Floats]) -> tuple[Floats, Integers]:
 
 def _anticlockwise(points: Floats, cells: Integers) -> Integers:
     """Turn cells so that their area is positive."""
-    a, b = points[cells[:, 2]] - points[cells[:, 0]], points[cells[:, 3]] - points[cells[:, 1]]
+    a = points[cells[:, 2]] - points[cells[:, 0]]
+    b = points[cells[:, 3]] - points[cells[:, 1]]
     turned = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0] < 0.0
     cells = cells.copy()
     cells[turned] = cells[turned][:, ::-1]

@@ -11,7 +11,7 @@ from pestle.lab.assembly import Assembly
 from pestle.lab.equilibrium import Contact, Equilibrium, NotConverged
 from pestle.lab.material import Material
 from pestle.lab.measure import contact_radius
-from pestle.lab.mesh import Floats, Fineness, Mesh, quarter_disc
+from pestle.lab.mesh import Fineness, Mesh, quarter_disc
 
 DEEPEST = 0.6
 """Largest depth of the flat [R]."""
@@ -267,7 +267,10 @@ class Sphere:
         """Equilibrium at the next depth, from a straight extrapolation."""
         now, before = moment.equilibrium, moment.before
         guess = now.u
-        if before is not None and (depth - now.depth) * (now.depth - before.depth) > 0.0:
+        if (
+            before is not None
+            and (depth - now.depth) * (now.depth - before.depth) > 0.0
+        ):
             ratio = (depth - now.depth) / (now.depth - before.depth)
             guess = now.u + ratio * (now.u - before.equilibrium.u)
         found = self.contact.equilibrium(
