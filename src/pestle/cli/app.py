@@ -6,6 +6,8 @@ import typer
 
 from pestle.cli.bench import bench
 from pestle.cli.cite import cite
+from pestle.cli.fit import fit
+from pestle.cli.lab import lab
 from pestle.cli.laws import laws
 from pestle.cli.materials import materials
 from pestle.cli.plan import plan
@@ -21,10 +23,12 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 
-for _command in (run, plan, report, laws, materials, cite, schema):
+for _command in (run, plan, report, laws, materials, fit, cite, schema):
     app.command()(_command)
 # these explain the law that they are given, so that they see --help themselves
 app.command(context_settings={"help_option_names": []})(bench)
+
+app.add_typer(lab, name="lab")
 
 
 def _version(value: bool) -> None:

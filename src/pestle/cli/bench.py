@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from pestle.cli.quantities import pair, quantity
 from pestle.errors import InputError
 
 if TYPE_CHECKING:
@@ -105,7 +106,7 @@ def bench(
             law,
             settings or [],
             material,
-            radius=_quantity(radius, "m", "--radius"),
+            radius=quantity(radius, "m", "--radius"),
             against=against,
             configuration=configuration,
         )
@@ -207,13 +208,9 @@ def _packaged(name: str) -> dict[str, float]:
 
 def _split(text: str) -> tuple[str, str, str]:
     """Law or nothing, key and value of a setting."""
-    key, equals, value = text.partition("=")
-    if not equals:
-        raise InputError(
-            "bad-setting", f"{text!r} is no KEY=VALUE", "--set", "--set nu=0.3"
-        )
-    law, _, last = key.strip().rpartition(":")
-    return law, last, value.strip()
+    key, value = pair(text, "--set")
+    law, _, last = key.rpartition(":")
+    return law, last, value
 
 
 def _check_keys(
@@ -248,22 +245,4 @@ def _value(text: str, each: "Parameter", key: str) -> Any:
             what = f"{key} is true or false, not {text!r}"
             raise InputError("wrong-type", what, "--set")
         return text == "true"
-    return _quantity(text, each.unit, f"--set {key}")
-
-
-def _quantity(text: str, unit: str, where: str) -> float:
-    """Number with a unit; units that no dimension has a name for are plain numbers."""
-    from pestle.units import DIMENSIONS, to_si
-
-    try:
-        return to_si(_number(text), unit if unit in DIMENSIONS else "1")
-    except InputError as error:
-        raise InputError(error.id, error.what, where, error.hint) from None
-
-
-def _number(text: str) -> float | str:
-    """A plain number, which is in SI units, or text with a unit."""
-    try:
-        return float(text)
-    except ValueError:
-        return text
+    return quantity(text, each.unit, f"--set {key}")
