@@ -5,7 +5,7 @@ is found by bisection along the leg.  A law that remembers more than its turning
 gets all of them: legs are followed in the order given.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import NamedTuple
@@ -126,17 +126,35 @@ def _bracket(
     subject: Subject, corners: list[float], target: float, *, upward: bool, end: float
 ) -> tuple[float, float]:
     """Two displacements along the leg between which the force is first reached."""
-    start = corners[-1]
-    grid = start + (end - start) * np.concatenate([[0.0], np.geomspace(1e-6, 1.0, 400)])
-    for low, high in pairwise(grid):
-        if _beyond(subject, corners, high, target, upward=upward):
-            return float(low), float(high)
+    start, low = corners[-1], corners[-1]
+    for grid in _ahead(start, end, subject.largest):
+        leg = subject.follow(np.concatenate([corners, grid])).force[len(corners) :]
+        beyond = np.flatnonzero(leg >= target if upward else leg <= target)
+        if beyond.size:
+            n = int(beyond[0])
+            return float(grid[n - 1]) if n else low, float(grid[n])
+        low = float(grid[-1])
     raise InputError(
         "force-out-of-reach",
         f"{subject.name} does not reach a force of {target:.6g} N from "
         f"{start:.6g} m on",
         hint="lower the force; without adhesion it is never negative",
     )
+
+
+def _ahead(start: float, end: float, largest: float) -> Iterator[Array]:
+    """Pieces of a leg: upwards by a quarter more at a time, so as not to go too far."""
+    parts = np.concatenate([np.geomspace(1e-6, 0.01, 100), np.linspace(0.01, 1.0, 400)])
+    if end < start:
+        turns = [0.0, end] if end < 0.0 < start else [end]  # as fine beyond touch
+        for a, b in pairwise([start, *turns]):
+            yield a + (b - a) * parts
+        return
+    done, step = start, 1e-6 * largest
+    while done < end:
+        top = min(done + step, end)
+        yield np.linspace(done, top, 21)[1:]
+        done, step = top, 0.25 * (top - start) + 1e-6 * largest
 
 
 def _beyond(

@@ -253,7 +253,7 @@ def _guess(name: str, curve: Curve) -> float:
         "stiffening": 20.0 / (float(curve.force[top]) * curve.radius),
         "work_of_adhesion": 1e-3 * pressure * curve.radius,
     }
-    return by_name.get(name, 1.0)
+    return float(by_name.get(name, 1.0))
 
 
 def _best_start(
@@ -275,8 +275,12 @@ def _solve(model: _Model, start: Array, limits: Array, scale: Array) -> Fit:
     from scipy.optimize import least_squares
 
     low, high = _inner(limits)
+
+    def scaled(u: Array) -> Array:
+        return model.residuals(u * scale)
+
     found = least_squares(
-        lambda u: model.residuals(u * scale),
+        scaled,
         start / scale,
         jac="3-point",
         bounds=(low / scale, high / scale),
@@ -299,7 +303,7 @@ def _solve(model: _Model, start: Array, limits: Array, scale: Array) -> Fit:
         names=model.names,
         values=values,
         fixed=model.fixed,
-        covariance=_covariance(model, found.jac * size / scale, residuals),
+        covariance=_covariance(model, np.asarray(found.jac) * size / scale, residuals),
         predicted=predicted,
         residuals=residuals,
         at_bound=bound,
