@@ -132,7 +132,7 @@ def test_unloading_is_elastic_in_the_main(pressed):
     lab, moments = pressed
     top = moments[-1]
     branch = lab.unload(top)
-    forces = [m.force for m in branch.moments]
+    forces = [p.force for p in branch.points]
     assert (np.diff(forces) < 0.0).all()
     assert 0.0 < branch.separation < top.depth
     assert branch.relaxed.work < top.work

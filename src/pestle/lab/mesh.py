@@ -146,18 +146,30 @@ def quarter_disc(mesh: str | Fineness) -> Mesh:
     """
     if isinstance(mesh, Fineness):
         return _build("own", mesh)
+    return _build(mesh, named(mesh))
+
+
+def named(mesh: str) -> Fineness:
+    """Fineness of a name."""
     if mesh not in MESHES:
         raise InputError(
             "unknown-mesh",
             f'there is no mesh "{mesh}"',
             hint=did_you_mean(mesh, MESHES),
         )
-    return _build(mesh, MESHES[mesh])
+    return MESHES[mesh]
 
 
 def scaled(mesh: str, factor: float) -> Fineness:
     """Fineness with edges `factor` times as long as those of a named mesh [-]."""
-    base = MESHES[mesh]
+    if not 0.1 <= factor <= 4.0:
+        raise InputError(
+            "mesh-too-coarse" if factor > 4.0 else "mesh-factor-out-of-range",
+            f"edges {factor:g} times as long as those of the mesh {mesh!r} are not "
+            "possible",
+            hint="a factor between 0.1 (very slow) and 4 (very coarse)",
+        )
+    base = named(mesh)
     arc, rest, layers = (
         max(2, round(n / factor)) for n in (base.arc, base.rest, base.layers)
     )

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
@@ -67,6 +68,26 @@ class Moment:
         """Newton iterations of the step."""
         return len(self.equilibrium.residuals) - 1
 
+    @property
+    def point(self) -> "Point":
+        """Its numbers."""
+        works = self.work, self.elastic, self.plastic
+        return Point(self.depth, self.force, *self.radius, *works, self.iterations)
+
+
+class Point(NamedTuple):
+    """Numbers of a moment, without its fields."""
+
+    depth: float  # displacement of the flat [R]
+    force: float  # [E R^2]
+    radius: float  # contact radius [R]
+    inner: float  # its bracket [R]
+    outer: float
+    work: float  # of the flat [E R^3]
+    elastic: float  # work on elastic strains [E R^3]
+    plastic: float  # work on plastic strains [E R^3]
+    iterations: int  # of Newton's method
+
 
 @dataclass(frozen=True, eq=False)
 class Unloading:
@@ -74,13 +95,16 @@ class Unloading:
 
     Parameters
     ----------
-    moments : tuple of Moment
-        From the start of unloading to the last contact.
+    start : Moment
+        Where it began.
+    points : tuple of Point
+        From the start to the last contact.
     relaxed : Moment
         The sphere without forces.
     """
 
-    moments: tuple[Moment, ...]
+    start: Moment
+    points: tuple[Point, ...]
     relaxed: Moment
 
     @property
@@ -182,20 +206,21 @@ class Sphere:
         start : Moment
             A moment of the loading.
         """
-        moments = [start]
+        points = [start.point]
         e_star, (a, _, _) = self.material.plane_strain_modulus, start.radius
         step = start.force / (2.0 * e_star * a) / _UNLOADING_STEPS
         target = start.force / _UNLOADING_STEPS
-        while moments[-1].force > _RELEASE * start.force:
-            last = moments[-1]
+        last = start
+        while last.force > _RELEASE * start.force:
             step, moment = self._unload_step(last, step, start.force)
             if not moment.equilibrium.active.any():
                 break
-            moments.append(moment)
+            points.append(moment.point)
             drop = last.force - moment.force
             wish = min(target, 0.5 * moment.force)
             step *= float(np.clip(wish / max(drop, 1e-300), 0.25, 4.0))
-        return Unloading(tuple(moments), self._release(moments[-1], start.force))
+            last = moment
+        return Unloading(start, tuple(points), self._release(last, start.force))
 
     def _check(self, depths: Sequence[float]) -> None:
         for depth in depths:

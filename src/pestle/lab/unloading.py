@@ -32,9 +32,9 @@ def unloading_numbers(branch: Unloading) -> UnloadingNumbers:
     branch : Unloading
         A branch from a depth to separation.
     """
-    depths = np.array([m.depth for m in branch.moments])
-    forces = np.array([m.force for m in branch.moments])
-    separation, depth, force = branch.separation, branch.moments[0].depth, forces[0]
+    depths = np.array([p.depth for p in branch.points])
+    forces = np.array([p.force for p in branch.points])
+    separation, depth, force = branch.separation, branch.start.depth, forces[0]
     x = np.append((depths - separation) / (depth - separation), 0.0)
     y = np.append(forces / force, 0.0)
     levels = np.arange(1, _LEVELS + 1) / _LEVELS
