@@ -109,7 +109,7 @@ class TestParticle:
         assert np.all((e > 0.0) & (e < 1.0))
 
     def test_too_fast(self):
-        with pytest.raises(InputError, match="takes up"), pytest.warns():
+        with pytest.raises(InputError, match="takes up"):
             restitution(dense(), 1e4)
 
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from pestle.bench.subject import Array, Subject, Trace
 from pestle.errors import InputError
+from pestle.particle.law import no_range_warnings
 
 
 class Displacement(NamedTuple):
@@ -81,12 +82,13 @@ def drive(subject: Subject, waypoints: Sequence[Waypoint], *, points: int = 500)
             hint="give at least one waypoint and two points a leg",
         )
     corners = [0.0]
-    for waypoint in waypoints:
-        corners.append(
-            waypoint.value
-            if isinstance(waypoint, Displacement)
-            else _reach_force(subject, corners, waypoint.value)
-        )
+    with no_range_warnings():  # the search goes further than the path
+        for waypoint in waypoints:
+            corners.append(
+                waypoint.value
+                if isinstance(waypoint, Displacement)
+                else _reach_force(subject, corners, waypoint.value)
+            )
     legs = [np.linspace(a, b, points + 1)[1:] for a, b in pairwise(corners)]
     path = np.concatenate([[0.0], *legs])
     number = np.concatenate([[0], np.repeat(np.arange(len(legs)) + 1, points)])

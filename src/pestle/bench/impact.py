@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pestle.bench.subject import Array, PairContact, SingleParticle, Subject
 from pestle.errors import InputError
+from pestle.particle.law import no_range_warnings
 
 LOADING_POINTS = 20_001
 UNLOADING_POINTS = 2_001
@@ -59,7 +60,8 @@ def restitution(subject: Subject, velocity: ArrayLike) -> Impact:
             hint="velocity and density must be positive",
         )
     energy = 0.5 * subject.mass * speed**2
-    largest = turning_point(subject, energy)
+    with no_range_warnings():  # the search goes further than the impact
+        largest = turning_point(subject, energy)
     back, force = given_back(subject, largest)
     e = np.sqrt(np.maximum(back, 0.0) / energy)
     return Impact(speed, e, largest, force)
@@ -100,7 +102,8 @@ def _loading_work(subject: Subject, top: float) -> tuple[Array, Array]:
 
 def given_back(subject: Subject, largest: Array) -> tuple[Array, Array]:
     """Work given back from peaks until separation [J], and the force there [N]."""
-    end = separation(subject, largest)
+    with no_range_warnings():
+        end = separation(subject, largest)
     t = np.linspace(0.0, 1.0, UNLOADING_POINTS)
     path = largest[:, None] - (largest - end)[:, None] * t
     path[:, -1] = end  # not a rounding beyond, where there is no force

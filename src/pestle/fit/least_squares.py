@@ -21,13 +21,14 @@ from numpy.typing import NDArray
 
 from pestle.errors import InputError, PestleError, did_you_mean
 from pestle.particle import library
+from pestle.particle.law import no_range_warnings
 
 Array = NDArray[np.float64]
 
 FACTORS = (0.3, 1.0, 3.0)
 """Starts that are tried for each parameter, as factors of the given or guessed one."""
-SINGULAR = 1e-12
-"""Smallest ratio of singular values of J at which parameters are told apart."""
+BLIND = 1e-9
+"""Relative change of the force by that of a parameter which the curve does not see."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -157,8 +158,10 @@ def fit(
     model = _Model(law, curve, tuple(vary), fixed)
     first = np.array([start.get(name, _guess(name, curve)) for name in vary])
     first = np.clip(first, *_inner(limits))
-    scale, best = _best_start(model, first, limits, tried=set(start))
-    return _solve(model, best, limits, scale)
+    with no_range_warnings():  # what is tried on the way need not be in range
+        scale, best = _best_start(model, first, limits, tried=set(start))
+        values, jacobian = _solve(model, best, limits, scale)
+    return _result(model, values, jacobian, limits)
 
 
 @dataclass(frozen=True)
@@ -271,7 +274,10 @@ def _best_start(
     return np.maximum(np.abs(best), 1e-3 * np.abs(first) + 1e-300), best
 
 
-def _solve(model: _Model, start: Array, limits: Array, scale: Array) -> Fit:
+def _solve(
+    model: _Model, start: Array, limits: Array, scale: Array
+) -> tuple[Array, Array]:
+    """Best parameters, and the derivative of the force by them."""
     from scipy.optimize import least_squares
 
     low, high = _inner(limits)
@@ -289,10 +295,14 @@ def _solve(model: _Model, start: Array, limits: Array, scale: Array) -> Fit:
         gtol=1e-12,
         max_nfev=200,
     )
-    values = found.x * scale
+    size = float(np.max(np.abs(model.curve.force)))
+    return found.x * scale, np.asarray(found.jac) * size / scale
+
+
+def _result(model: _Model, values: Array, jacobian: Array, limits: Array) -> Fit:
+    low, high = _inner(limits)
     predicted = model.force(values)
     residuals = model.curve.force - predicted
-    size = float(np.max(np.abs(model.curve.force)))
     bound = tuple(
         name
         for name, value, a, b in zip(model.names, values, low, high, strict=True)
@@ -303,7 +313,7 @@ def _solve(model: _Model, start: Array, limits: Array, scale: Array) -> Fit:
         names=model.names,
         values=values,
         fixed=model.fixed,
-        covariance=_covariance(model, np.asarray(found.jac) * size / scale, residuals),
+        covariance=_covariance(model, values, jacobian, residuals),
         predicted=predicted,
         residuals=residuals,
         at_bound=bound,
@@ -311,7 +321,9 @@ def _solve(model: _Model, start: Array, limits: Array, scale: Array) -> Fit:
     )
 
 
-def _covariance(model: _Model, jacobian: Array, residuals: Array) -> Array:
+def _covariance(
+    model: _Model, values: Array, jacobian: Array, residuals: Array
+) -> Array:
     """Covariance of the parameters, where the curve tells them apart."""
     number, count = jacobian.shape
     if number <= count:
@@ -321,7 +333,8 @@ def _covariance(model: _Model, jacobian: Array, residuals: Array) -> Array:
             hint="fix some parameters or measure more points",
         )
     norms = np.linalg.norm(jacobian, axis=0)
-    if np.any(norms == 0.0) or np.linalg.cond(jacobian / norms) > 1.0 / SINGULAR**0.5:
+    effect = norms * np.abs(values) / np.linalg.norm(model.curve.force)
+    if np.any(effect < BLIND) or np.linalg.cond(jacobian / norms) > 1e8:
         raise InputError(
             "parameters-not-told-apart",
             f"the curve does not fix {', '.join(model.names)} each by itself",

@@ -11,6 +11,9 @@ broadcasts against `displacement`.
 import dataclasses
 import warnings
 from abc import ABC, abstractmethod
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import MISSING, dataclass, field
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, TypeVar
 
@@ -55,11 +58,22 @@ class RangeWarning(UserWarning):
 
 
 _WARNED: set[tuple[str, str]] = set()
+_SILENT = ContextVar("_SILENT", default=False)
+
+
+@contextmanager
+def no_range_warnings() -> Iterator[None]:
+    """Neither warn nor remember: for a search that tries what it may not keep."""
+    token = _SILENT.set(True)
+    try:
+        yield
+    finally:
+        _SILENT.reset(token)
 
 
 def warn_once(law: str, quantity: str, text: str) -> None:
     """Warn about a quantity of a law, the first time only."""
-    if (law, quantity) not in _WARNED:
+    if not _SILENT.get() and (law, quantity) not in _WARNED:
         _WARNED.add((law, quantity))
         warnings.warn(f"{law}: {text}", RangeWarning, stacklevel=4)
 
