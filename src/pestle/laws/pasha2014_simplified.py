@@ -23,7 +23,7 @@ from typing import ClassVar, NamedTuple
 
 from pestle.errors import InputError
 from pestle.laws._base import EnergyWarning, Geometry, Pair, Response, register
-from pestle.reference.pasha2014 import PARTING, Simple, simple_line
+from pestle.reference.pasha2014 import PARTING, Line, Simple, simple_line
 
 
 class Constants(NamedTuple):
@@ -118,7 +118,7 @@ class Pasha2014Simplified:
         if self._gains():
             warnings.warn(
                 "touch_force is large for the stiffnesses: contacts drawn together and "
-                "pulled off slowly create energy",
+                "pulled off slowly may create energy",
                 EnergyWarning,
                 stacklevel=2,
             )
@@ -129,8 +129,7 @@ class Pasha2014Simplified:
         if self.touch_force == 0.0 or k.elastic == 0.0:
             return False
         u = simple_line(k, -k.first / k.plastic)
-        won = 0.5 * k.first**2 / k.plastic
-        return won > PARTING * u.pull_off**2 / k.elastic
+        return bond(k, u) > PARTING * u.pull_off**2 / k.elastic
 
     def _numbers(self) -> tuple[float, float, float, float, float, float]:
         return (
@@ -147,6 +146,21 @@ class Pasha2014Simplified:
         return Constants(*self._numbers(), pair.modulus)
 
 
+def bond(k: Simple, u: Line) -> float:
+    """Adhesive part of the stored energy, negative of what is stored at alpha_p [J].
+
+    At least W5, so that no contact wins by attaching again; and so much that the way
+    in, which is drawn by f_0 along the softer k_p, takes nothing from nowhere.
+    """
+    fresh = simple_line(k, 0.0)
+    first = 32.0 / 81.0 * fresh.pull_off * fresh.pull_off / fresh.stiffness
+    way = (0.5 * k.plastic * u.peak + k.first) * u.peak
+    lost = way + 0.5 * k.first * k.first / fresh.stiffness
+    lost -= 0.5 * u.force * u.force / u.stiffness
+    again = 32.0 / 81.0 * u.pull_off * u.pull_off / u.stiffness
+    return max(again, first - lost)
+
+
 def contact(k: Constants, g: Geometry, s: State) -> tuple[Response, State]:
     """Force, stiffness, stored energy and new state at an overlap."""
     simple = Simple(
@@ -160,10 +174,7 @@ def contact(k: Constants, g: Geometry, s: State) -> tuple[Response, State]:
     pulls = g.overlap <= u.turn
     back = u.stiffness * (g.overlap - u.rest)
     force = u.pull_off - u.stiffness * (g.overlap - u.turn) if pulls else back
-    # what it would take to part, of which the way in has paid the part up to zero force
-    low = min(u.force, 0.0)
-    paid = 0.5 * (k.first * k.first - low * low) / k.plastic
-    paid += 0.5 * low * low / u.stiffness
+    paid = bond(simple, u)
     turned = 0.5 * u.pull_off * u.pull_off / u.stiffness
     fell = 0.5 * (u.turn - g.overlap) * (force + u.pull_off)
     elastic = turned - fell if pulls else 0.5 * force * force / u.stiffness
