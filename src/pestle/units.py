@@ -24,6 +24,8 @@ DIMENSIONS = {
     "N": "force",
     "Pa": "stress",
     "J/m^2": "energy per area",
+    "N/m": "stiffness",
+    "1/m": "stiffening",
     "kg": "mass",
     "rad": "angle",
 }
@@ -39,6 +41,7 @@ EXAMPLES = {
     "N": "30 N",
     "Pa": "150 MPa",
     "J/m^2": "300 J/m^2",
+    "1/m": "5e5 1/m",
 }
 """How a person would write a value of each SI unit."""
 

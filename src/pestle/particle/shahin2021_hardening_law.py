@@ -43,7 +43,7 @@ class Shahin2021Hardening(Loading):
     summary: ClassVar[str] = "rigid-plastic with power-law hardening, any confinement"
     validity: ClassVar[str] = (
         "0 <= h <= 1; E far above kappa; x <= 0.5 (simple), below zero porosity 0.476 "
-        "(die), 0.194 (hydrostatic); hydrostatic with h >= 0.5 is 15 to 40 % low"
+        "(die), 0.194 (hydrostatic); hydrostatic with h >= 0.5 is up to 16 to 35 % low"
     )
     citation: ClassVar[str] = Shahin2021.citation
 
