@@ -145,8 +145,9 @@ def check_law(
 
     Answers are finite, compiled as in plain Python; the force is continuous but where a
     contact attaches or detaches; no step creates energy and none comes back that was
-    not stored; the stiffness is the slope of the force; forces scale with stress and length
-    (options by the unit in their metadata); a contact parted beyond reach is as new.
+    not stored; the stiffness is the slope of the force; forces scale with stress and
+    length (options by the unit in their metadata); a contact parted beyond reach is as
+    new.
 
     Parameters
     ----------
