@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from pestle.cli.lab_study import study
 from pestle.cli.options import AsJson
 from pestle.errors import InputError
 
@@ -236,3 +237,6 @@ def _prepare(folder: Path, *, overwrite: bool) -> None:
     for frame in (folder / "frames").glob("*.vtu"):
         frame.unlink()
     folder.mkdir(parents=True, exist_ok=True)
+
+
+lab.command()(study)
