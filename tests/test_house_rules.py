@@ -12,6 +12,7 @@ import pestle
 
 ROOT = Path(__file__).parent.parent
 SOURCES = sorted((ROOT / "src").rglob("*.py")) + sorted((ROOT / "tests").rglob("*.py"))
+COMMANDS = ("run", "plan", "bench", "fit")
 HEAVY = {"numba", "scipy", "matplotlib", "h5py", "pint", "trimesh"}
 
 
@@ -20,7 +21,7 @@ def test_files_have_at_most_400_lines(path):
     assert len(path.read_text(encoding="utf-8").splitlines()) <= 400
 
 
-@pytest.mark.parametrize("words", [["--help"], ["run", "--help"], ["plan", "--help"]])
+@pytest.mark.parametrize("words", [["--help"], *([c, "--help"] for c in COMMANDS)])
 def test_help_loads_nothing_heavy(words):
     code = (
         "import sys; from pestle.cli import main\n"

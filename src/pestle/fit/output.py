@@ -33,7 +33,7 @@ def draw_fit(fit: Fit) -> "Figure":
         bottom.plot(x, fit.residuals / factor, ".", color=BLUE, markersize=3)
         bottom.axhline(0.0, color=MUTED, linewidth=0.6)
         bottom.set_ylabel(f"residual [{unit}]")
-        bottom.set_xlabel("displacement / diameter [-]")
+        bottom.set_xlabel("approach / diameter [-]")
     return figure
 
 
