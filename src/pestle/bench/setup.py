@@ -15,6 +15,7 @@ from pestle.bench.subject import PairContact, SingleParticle, Subject
 from pestle.errors import InputError, did_you_mean
 from pestle.particle import library
 from pestle.particle.configuration import checked
+from pestle.particle.law import LOADING, UNLOADING
 
 
 @dataclass(frozen=True)
@@ -86,6 +87,25 @@ def canonical(name: str) -> str:
     if is_particle_law(name) and name.partition("+")[0] not in library.names():
         return str(_pair_law(name).name)
     return name
+
+
+def parts_of(name: str) -> list[Any]:
+    """Classes behind a name: a pair law, or loading and unloading of a particle."""
+    if not is_particle_law(name):
+        return [_pair_law(name)]
+    return [part for part in library.find(canonical(name)) if part is not None]
+
+
+def everything() -> dict[str, list[Any]]:
+    """All laws for the bench, by what they are."""
+    pairs = [_pair_law(name) for name in laws.names() if not is_particle_law(name)]
+    return {
+        "pairs of particles, or a particle and a wall": pairs,
+        "a particle between flats, pressed": [LOADING[n] for n in library.names()],
+        "a particle between flats, released; behind a plus": [
+            UNLOADING[name] for name in library.unloading_names()
+        ],
+    }
 
 
 def parameters(name: str) -> dict[str, Parameter]:

@@ -127,24 +127,28 @@ def bench(
 
 
 def _print_help(context: typer.Context, names: list[str], *, whole: bool) -> None:
+    """Show the options, and laws in full or all of them in a line each."""
     from pestle.bench import setup
     from pestle.cli.printing import print_table
-    from pestle.particle import library
 
     if whole:
         text = context.get_help()
         if text:
             typer.echo(text)
     for name in names:
-        typer.echo(f"{name}: parameters")
-        rows = [_row(key, each) for key, each in setup.parameters(name).items()]
-        print_table(rows)
+        for law in setup.parts_of(name):
+            typer.echo(f"{law.name}: {law.summary}")
+            valid = getattr(law, "validity", "")
+            if valid:
+                typer.echo(f"  valid: {valid}")
+            typer.echo(f"  {law.citation}")
+        typer.echo("parameters:")
+        print_table(_row(key, each) for key, each in setup.parameters(name).items())
     if not names:
-        typer.echo("laws on the bench:")
-        typer.echo("  " + ", ".join(setup.names()))
-        typer.echo("laws of unloading, behind a plus:")
-        typer.echo("  " + ", ".join(library.unloading_names()))
-        typer.echo("`pestle bench LAW --help` explains the parameters of a law")
+        for title, laws in setup.everything().items():
+            typer.echo(f"{title}:")
+            print_table([(f"  {law.name}", law.summary) for law in laws])
+        typer.echo("`pestle bench LAW --help` explains a law and its parameters")
 
 
 def _row(key: str, each: "Parameter") -> tuple[str, ...]:
