@@ -5,22 +5,20 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from pestle.cli.lab_compare import compare
+from pestle.cli.lab_options import ProgressLines, depths_of, mesh_of, numbers_of
 from pestle.cli.lab_study import study
 from pestle.cli.options import AsJson
 from pestle.errors import InputError
 
 if TYPE_CHECKING:
     from pestle.lab.material import Hardening
-    from pestle.lab.mesh import Fineness
-    from pestle.lab.press import Progress, Result
+    from pestle.lab.press import Result
 
 lab = typer.Typer(
     help="Finite elements: one elastic-plastic sphere between rigid flats.",
     no_args_is_help=True,
 )
-
-SECONDS_BETWEEN_LINES = 5.0
-"""Time between two lines of progress [s]."""
 
 
 @lab.command()
@@ -91,11 +89,11 @@ def sphere(
     from pestle.lab.material import Material
     from pestle.lab.press import press
 
-    depths = _depths(unload)
+    depths = depths_of(unload)
     end = to if to is not None else max(depths, default=0.5)
     hardening = _hardening(hardening_exponent, reference_strain, hardening_table)
     material = Material(modulus_ratio, poisson, hardening)
-    fineness = _mesh(mesh)
+    fineness = mesh_of(mesh)
     if out is not None:
         _prepare(out, overwrite=overwrite)
     elif frames:
@@ -105,7 +103,7 @@ def sphere(
             "--frames",
             "add --out DIR",
         )
-    report = None if quiet else _Lines()
+    report = None if quiet else ProgressLines()
     each = None
     if out is not None and frames:
         from pestle.lab.output import Frames
@@ -150,52 +148,12 @@ def _show(result: "Result", *, as_json: bool) -> None:
         print_table([keys, *rows])
 
 
-class _Lines:
-    """A line of progress every few seconds."""
-
-    def __init__(self) -> None:
-        import time
-
-        self._last = time.monotonic()
-
-    def __call__(self, now: "Progress") -> None:
-        """Print a line if it is time for one."""
-        import time
-
-        clock = time.monotonic()
-        if clock - self._last > SECONDS_BETWEEN_LINES:
-            self._last = clock
-            words = f"{now.what}: depth {now.depth:.4g} of {now.end:g} R"
-            typer.echo(f"{words}, {now.steps} steps", err=True)
-
-
-def _numbers(text: str, option: str, separator: str = ",") -> list[float]:
-    try:
-        return [float(word) for word in text.split(separator) if word.strip()]
-    except ValueError:
-        raise InputError(
-            "not-a-list-of-numbers",
-            f"{text!r} is not a list of numbers",
-            option,
-            "numbers separated by commas, such as 0.1,0.3,0.5",
-        ) from None
-
-
-def _depths(text: str) -> list[float]:
-    depths = _numbers(text, "--unload")
-    if len(set(depths)) < len(depths):
-        raise InputError(
-            "depth-twice", f"{text!r} names a depth twice", "--unload", "name it once"
-        )
-    return sorted(depths)
-
-
 def _hardening(exponent: float, reference: float | None, table: str) -> "Hardening":
     from pestle.lab.material import Hardening
 
     rows = None
     if table:
-        pairs = [_numbers(p, "--hardening-table", ":") for p in table.split(",")]
+        pairs = [numbers_of(p, "--hardening-table", ":") for p in table.split(",")]
         if any(len(pair) != 2 for pair in pairs):
             raise InputError(
                 "not-a-list-of-pairs",
@@ -205,17 +163,6 @@ def _hardening(exponent: float, reference: float | None, table: str) -> "Hardeni
             )
         rows = tuple((pair[0], pair[1]) for pair in pairs)
     return Hardening(exponent, reference, rows)
-
-
-def _mesh(text: str) -> "str | Fineness":
-    from pestle.lab.mesh import named, scaled
-
-    name, star, factor = text.partition("*")
-    named(name)
-    if not star:
-        return name
-    (number,) = _numbers(factor, "--mesh") or [0.0]
-    return scaled(name, number)
 
 
 def _prepare(folder: Path, *, overwrite: bool) -> None:
@@ -240,3 +187,4 @@ def _prepare(folder: Path, *, overwrite: bool) -> None:
 
 
 lab.command()(study)
+lab.command()(compare)
