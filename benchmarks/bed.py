@@ -74,16 +74,17 @@ def make_bed(count: int, seed: int = 1) -> Bed:
 
 def make_engine(
     bed: Bed,
-    law: str,
+    law: Any,
     *,
     adhesion: float = 0.0,
     friction: float = FRICTION,
     damping: float = DAMPING,
     fixed_step: bool = True,
 ) -> Engine:
-    """Engine with the bed in it, ready to run."""
+    """Engine with the bed in it, ready to run; `law` by name or as an object."""
+    named = {"hertz": Hertz(), "mdr": Zunker2024(psi_b=PSI_B)}
     engine = Engine(
-        law=Hertz() if law == "hertz" else Zunker2024(psi_b=PSI_B),
+        law=named[law] if isinstance(law, str) else law,
         solids=[SOLID, Solid()],
         rules={
             (0, 0): PairRule(

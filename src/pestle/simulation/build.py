@@ -43,12 +43,14 @@ def solids_of(case: "Case", softening: float = 1.0) -> tuple[list[Solid], list[s
     return solids, names
 
 
-def damping_factor(restitution: float | None, damping_ratio: float | None) -> float:
+def damping_factor(
+    restitution: float | None, damping_ratio: float | None, *, linear: bool = False
+) -> float:
     """Factor c / sqrt(m* k) of the dashpot [-].
 
     From a restitution e: 2 sqrt(5/6) beta, beta = -ln e / sqrt(ln^2 e + pi^2), exact
-    for Hertz at any speed (Antypov & Elliott, EPL 94 (2011) 50004); else twice the
-    ratio.
+    for Hertz at any speed (Antypov & Elliott, EPL 94 (2011) 50004); 2 beta, exact for a
+    linear spring, where the law is `linear`; else twice the ratio.
     """
     if damping_ratio is not None:
         return 2.0 * damping_ratio
@@ -56,7 +58,7 @@ def damping_factor(restitution: float | None, damping_ratio: float | None) -> fl
     if restitution >= 1.0:
         return 0.0
     loss = -log(max(restitution, 1e-3))
-    return 2.0 * sqrt(5.0 / 6.0) * loss / hypot(loss, pi)
+    return 2.0 * sqrt(1.0 if linear else 5.0 / 6.0) * loss / hypot(loss, pi)
 
 
 def rules_of(
@@ -65,6 +67,7 @@ def rules_of(
     """Return the pair rules by indices of `names`."""
     rules = {}
     powders = len(case.powders)
+    linear = adhesive and getattr(law_of(case), "linear", False)
     for a, b in combinations_with_replacement(range(len(names)), 2):
         if a >= powders:
             continue  # two walls
@@ -72,7 +75,7 @@ def rules_of(
         rules[a, b] = PairRule(
             sliding_friction=pair.sliding_friction,
             rolling_friction=pair.rolling_friction,
-            damping=damping_factor(pair.restitution, pair.damping_ratio),
+            damping=damping_factor(pair.restitution, pair.damping_ratio, linear=linear),
             work_of_adhesion=pair.work_of_adhesion if adhesive else 0.0,
         )
     return rules
