@@ -1,4 +1,4 @@
-"""Walton and Braun (1986): F = K1 d, unloading K2 (d - d0), K1 = 2 pi p R, K2 = K1/e^2."""
+"""Walton, Braun (1986): F = K1 d, back K2 (d - d0), K1 = 2 pi p R, K2 = K1/e^2."""
 
 from dataclasses import dataclass
 from math import pi, sqrt

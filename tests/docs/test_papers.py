@@ -11,6 +11,7 @@ ROOT = Path(__file__).parent.parent.parent
 PAPERS = {
     "shahin2021": ("pestle.particle", "particle", "semimech"),
     "edmans2020": ("pestle.particle", "particle", "edmans"),
+    "nan2022": ("pestle.reference", "reference", "nan"),
 }
 
 
@@ -59,6 +60,14 @@ def numbers(text):
         end = int(last.split(".")[1]) if last else int(start)
         found |= {f"{chapter}.{n}" for n in range(int(start), end + 1)}
     return found
+
+
+def test_every_equation_of_nan_2022_is_there():
+    named = set()
+    for cells in rows("nan2022"):
+        for first, last in re.findall(r"\((\d+)\)(?:-\((\d+)\))?", " ".join(cells[:2])):
+            named |= set(range(int(first), int(last or first) + 1))
+    assert named >= set(range(1, 82))
 
 
 def test_every_equation_of_the_thesis_is_there():

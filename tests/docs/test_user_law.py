@@ -6,6 +6,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from pestle import testing
 from pestle.engine import step as st
 from pestle.engine.engine import Engine, PairRule
 from pestle.laws import Geometry, Solid
@@ -39,6 +40,15 @@ def test_restitution_is_the_option_at_any_speed(law, rebound, speed):
     assert engine.advance(2000 if speed > 1 else 10_000) == st.RAN
     left, right = (engine.vel[engine.ids == number, 0][0] for number in (1, 2))
     assert right - left == pytest.approx(2 * speed * rebound, rel=5e-3)
+
+
+def test_it_keeps_the_contract(law):
+    testing.check_law(law.Walton1986(pressure=1e6), scales=False)
+
+
+def test_it_is_shown_in_forty_lines(docs):
+    text = (docs / "laws" / "walton1986.py").read_text(encoding="utf-8")
+    assert len(text.splitlines()) <= 40
 
 
 def test_no_closed_path_creates_energy(law, at):
