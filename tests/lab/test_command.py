@@ -31,8 +31,12 @@ def test_files_of_an_experiment(tmp_path, capsys):
     import meshio
 
     words = [*QUICK, "--to", "0.06", "--unload", "0.03", "--out", str(tmp_path)]
-    assert main(["lab", "sphere", *words, "--frames"]) == 0
-    assert "rho" in capsys.readouterr().out
+    adhesion = ["--work-of-adhesion", "1e-5"]
+    assert main(["lab", "sphere", *words, "--frames", *adhesion]) == 0
+    assert "pull_off_ER2" in capsys.readouterr().out
+    with (tmp_path / "unloading.csv").open() as file:
+        (unloading,) = csv.DictReader(file)
+    assert float(unloading["pull_off_ER2"]) < -1.5 * 3.14 * 1e-5
     with (tmp_path / "loading.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert {row["branch"] for row in rows} == {"load", "unload"}
@@ -65,6 +69,7 @@ BAD = {
     "depth-twice": ["--unload", "0.1,0.1"],
     "not-a-list-of-pairs": ["--hardening-table", "0:1,0.2"],
     "two-hardening-laws": ["--hardening-table", "0:1", "--hardening-exponent", "0.1"],
+    "no-adhesion": ["--to", "0.05", "--unload", "0.05", "--work-of-adhesion", "-1"],
     "frames-without-folder": ["--frames"],
 }
 

@@ -48,6 +48,25 @@ def test_hertz_pressure():
     np.testing.assert_allclose(p[inside], exact, rtol=0.03)
 
 
+@pytest.mark.parametrize(("poisson", "printed"), [(0.0, 1.27), (0.3, 1.12)])
+def test_first_yield(poisson, printed):
+    """Depth of first yield against Hertz' stresses on the axis.
+
+    Over the printed Eq. (5) of Edmans and Sinka it is 1.27 (nu = 0) and 1.12 (0.3); the
+    form 0.454 + 0.41 nu has 1.23 and 1.12.
+    """
+    depth = 1e-4
+    elastic = Sphere(Material(0.05, poisson), Fineness(80, 8, 50, 2.5e-4, 0.06))
+    stress = elastic.touch(depth).equilibrium.answer.stress[:, :, 4].max()
+    z = np.linspace(1e-3, 2.0, 2000)  # depth below the pole in contact radii
+    mises = 1.5 / (1.0 + z**2) - (1.0 + poisson) * (1.0 - z * np.arctan(1.0 / z))
+    peak = 2.0 / np.pi * elastic.material.plane_strain_modulus * np.sqrt(depth)
+    assert stress == pytest.approx(mises.max() * peak, rel=0.01)
+    first = depth / (mises.max() * peak) ** 2  # times (Y/E)^2
+    plain = 2.8 * np.pi * (0.454 * poisson + 0.41) * (1.0 - poisson**2) / 2.0
+    assert first / plain**2 == pytest.approx(printed, abs=0.01)
+
+
 def test_forces_of_flat_and_equator_balance(pressed):
     lab, moments = pressed
     for moment in moments:

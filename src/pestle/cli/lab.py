@@ -1,7 +1,7 @@
 """pestle lab: finite elements of one sphere between flats."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -57,6 +57,14 @@ def sphere(
             "0:1,0.1:1.4.",
         ),
     ] = "",
+    work_of_adhesion: Annotated[
+        float | None,
+        typer.Option(
+            help="W of sphere and flat, over E R: adds the pull-off of the relaxed "
+            "spheres.",
+            show_default=False,
+        ),
+    ] = None,
     mesh: Annotated[
         str,
         typer.Option(
@@ -110,21 +118,21 @@ def sphere(
 
         each = Frames(out)
     result = press(material, end, depths, mesh=fineness, progress=report, each=each)
+    numbers = result.to_dict(work_of_adhesion)
     if out is not None:
         from pestle.lab.output import write
 
-        write(result, out)
-    _show(result, as_json=as_json)
+        write(result, numbers, out)
+    _show(result, numbers, as_json=as_json)
     if result.stopped is not None:
         raise result.stopped
 
 
-def _show(result: "Result", *, as_json: bool) -> None:
+def _show(result: "Result", numbers: dict[str, Any], *, as_json: bool) -> None:
     import json
 
     from pestle.cli.printing import plain, print_table
 
-    numbers = result.to_dict()
     if as_json:
         typer.echo(json.dumps(plain(numbers)))
         return
@@ -141,7 +149,9 @@ def _show(result: "Result", *, as_json: bool) -> None:
             f"plastic {last['plastic_ER3']:.5g}; {len(result.loading)} steps, "
             f"{result.cpu_time:.1f} s of processor time"
         )
-    keys = ("dmax_R", "d0_R", "rho", "alpha", "Fmax_ER2", "R2")
+    keys = ["dmax_R", "d0_R", "rho", "alpha", "Fmax_ER2", "R2"]
+    if numbers["unloading"] and "pull_off_ER2" in numbers["unloading"][0]:
+        keys.append("pull_off_ER2")
     rows = [[f"{row[key]:.5g}" for key in keys] for row in numbers["unloading"]]
     if rows:
         typer.echo("")

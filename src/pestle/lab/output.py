@@ -16,12 +16,12 @@ WRITTEN = ("sphere.json", "loading.csv", "unloading.csv", "pressure.csv", "profi
 """Names in the folder of an experiment; frames lie in `frames/`."""
 
 
-def write(result: Result, folder: Path) -> None:
-    """Write an experiment into an existing folder.
+def write(result: Result, numbers: dict[str, Any], folder: Path) -> None:
+    """Write an experiment and its numbers into an existing folder.
 
     Frames show the starts of unloadings, the end and the relaxed spheres.
     """
-    sphere, numbers = result.sphere, result.to_dict()
+    sphere = result.sphere
     text = json.dumps(numbers, indent=1)
     (folder / "sphere.json").write_text(text + "\n", encoding="utf-8")
     _table(folder / "loading.csv", _steps(result))

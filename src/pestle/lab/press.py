@@ -9,6 +9,7 @@ from typing import Any
 from pestle.errors import InputError, SimulationError
 from pestle.lab.material import Material
 from pestle.lab.mesh import Fineness
+from pestle.lab.pull_off import dimple, relaxed_pull_off
 from pestle.lab.sphere import Moment, Point, Sphere, Unloading
 from pestle.lab.unloading import unloading_numbers
 
@@ -60,8 +61,11 @@ class Result:
     stopped: SimulationError | None
     cpu_time: float
 
-    def to_dict(self) -> dict[str, Any]:
-        """Numbers of the experiment: lengths in R, forces in E R^2, works in E R^3."""
+    def to_dict(self, work_of_adhesion: float | None = None) -> dict[str, Any]:
+        """Numbers of the experiment: lengths in R, forces in E R^2, works in E R^3.
+
+        With a work of adhesion [E R] each unloading has the pull-off of its sphere.
+        """
         material = self.sphere.material
         return {
             "modulus_ratio": material.modulus_ratio,
@@ -72,8 +76,16 @@ class Result:
             "stopped": str(self.stopped) if self.stopped else None,
             "cpu_s": self.cpu_time,
             "loading": [loading_row(m, material) for m in self.loading],
-            "unloading": [unloading_row(b) for b in self.branches],
+            "unloading": [self._unloading(b, work_of_adhesion) for b in self.branches],
         }
+
+    def _unloading(self, branch: Unloading, work: float | None) -> dict[str, float]:
+        row = unloading_row(branch)
+        row["r_peak_R"], row["dimple_R"] = dimple(self.sphere, branch)
+        if work is not None:
+            found = relaxed_pull_off(self.sphere, branch, work)
+            row["pull_off_ER2"], row["a_pull_off_R"] = found.force, found.radius
+        return row
 
 
 def loading_row(point: Point, material: Material) -> dict[str, float]:

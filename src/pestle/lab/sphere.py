@@ -130,7 +130,7 @@ class Sphere:
     >>> sphere = Sphere(Material(200.0, 0.3))
     >>> moment = sphere.load_to(0.001)
     >>> round(moment.force, 6)
-    4.2e-05
+    3.5e-05
     """
 
     def __init__(self, material: Material, mesh: str | Fineness = "coarse") -> None:
