@@ -3,7 +3,8 @@
 python benchmarks/own_law.py [--n 10000] [--repeats 15]
 
 Both compute Hertz's force in a file of their own; one is registered by pestle, the
-other by this script as a user would do it.  Exits with 1 if the user's is over 20 % slower.
+other by this script as a user would do it.  Exits with 1 if the user's is over
+20 % slower.
 """
 
 import argparse

@@ -16,7 +16,7 @@ class State(NamedTuple):  # of a contact; all zero at first touch
     opens: float  # overlap at which the unloaded contact opens, d0 [m]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True)
 class Walton1986:  # the options
     pressure: float  # [Pa]
     rebound: float = 0.5  # coefficient of restitution e [-]
@@ -31,9 +31,10 @@ def contact(k: Constants, g: Geometry, s: State) -> tuple[Response, State]:
     overlap, soft = max(g.overlap, 0.0), 2.0 * pi * k.pressure * g.radius
     stiff = soft * k.steeper
     force = min(soft * overlap, max(stiff * (overlap - s.opens), 0.0))
-    opens = max(overlap - force / stiff, s.opens) if force > 0.0 else s.opens
+    slope = 0.0 if force == 0.0 else (soft if force == soft * overlap else stiff)
+    opens = max(overlap - force / stiff, s.opens) if overlap > 0.0 else 0.0
     a, stored = sqrt(force / (pi * k.pressure)), 0.5 * force**2 / stiff
-    return Response(force, a, stiff if force > 0.0 else 0.0, stored, 1.0), State(opens)
+    return Response(force, a, slope, stored, 1.0), State(opens)
 
 
 register(Walton1986, constants=Constants, state=State, contact=contact)
