@@ -48,12 +48,12 @@ def test_hertz_pressure():
     np.testing.assert_allclose(p[inside], exact, rtol=0.03)
 
 
-@pytest.mark.parametrize(("poisson", "printed"), [(0.0, 1.27), (0.3, 1.12)])
+@pytest.mark.parametrize(("poisson", "printed"), [(0.0, 1.281), (0.3, 1.112)])
 def test_first_yield(poisson, printed):
     """Depth of first yield against Hertz' stresses on the axis.
 
-    Over the printed Eq. (5) of Edmans and Sinka it is 1.27 (nu = 0) and 1.12 (0.3); the
-    form 0.454 + 0.41 nu has 1.23 and 1.12.
+    Over the printed Eq. (5) of Edmans and Sinka it is 1.28 (nu = 0) and 1.11 (0.3); the
+    form 0.454 + 0.41 nu is 4 % too low at nu = 0 and right within 0.4 % at 0.3.
     """
     depth = 1e-4
     elastic = Sphere(Material(0.05, poisson), Fineness(80, 8, 50, 2.5e-4, 0.06))
@@ -64,7 +64,7 @@ def test_first_yield(poisson, printed):
     assert stress == pytest.approx(mises.max() * peak, rel=0.01)
     first = depth / (mises.max() * peak) ** 2  # times (Y/E)^2
     plain = 2.8 * np.pi * (0.454 * poisson + 0.41) * (1.0 - poisson**2) / 2.0
-    assert first / plain**2 == pytest.approx(printed, abs=0.01)
+    assert first / plain**2 == pytest.approx(printed, abs=1e-3)
 
 
 def test_forces_of_flat_and_equator_balance(pressed):
