@@ -14,7 +14,7 @@ def page() -> str:
 
     group: Any = typer.main.get_command(app)
     parts = []
-    for name, command in group.commands.items():
+    for name, command in _commands(group):
         words = " ".join(word for word, _ in _arguments(command))
         parts.append(f"## {code(f'pestle {name} {words}'.rstrip())}\n")
         parts.append("\n\n".join(map(sentence, command.help.split("\n\n"))) + "\n")
@@ -23,6 +23,15 @@ def page() -> str:
         if rows:
             parts.append(table(("argument or option", "meaning"), rows))
     return "\n".join(parts)
+
+
+def _commands(group: Any) -> Iterator[tuple[str, Any]]:
+    """Commands and, behind the name of their group, those of groups."""
+    for name, command in group.commands.items():
+        if hasattr(command, "commands"):
+            yield from ((f"{name} {inner}", c) for inner, c in _commands(command))
+        else:
+            yield name, command
 
 
 def _arguments(command: Any) -> Iterator[tuple[str, str]]:
