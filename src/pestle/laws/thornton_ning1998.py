@@ -103,32 +103,31 @@ def contact(k: Constants, g: Geometry, s: State) -> tuple[Response, State]:
     e, r, w = k.modulus, g.radius, k.adhesion
     yields = yield_radius(e, r, w, k.pressure)
     widest = max(s.widest, yields)
-    # on loading JKR of R*, after yield JKR of R_p, shifted
+    # on loading JKR of R*, after yield JKR of R_p, shifted.  Factors of 0 and 1 instead
+    # of branches keep the engine's loop SIMD
     loads = g.overlap > overlap_at(widest, e, r, w)
-    flowed = s.widest > 0.0
     top, _ = plastic_force(widest, yields, e, r, w, k.pressure, k.variant)
     flat = flattened_radius(widest, top, e, r, w)
-    own = flat if flowed and not loads else r
-    shift = 0.0 if loads or not flowed else widest * widest * (1.0 / r - 1.0 / flat)
+    lies = 1.0 if s.widest > 0.0 and not loads else 0.0
+    own = flat * lies + r * (1.0 - lies)
+    shift = widest * widest * (1.0 / r - 1.0 / flat) * lies
     a = contact_radius(g.overlap - shift, e, own, w)
     least = shift - separation_length(e, own, w)
     on = g.overlap >= (least if s.attached > 0.0 else shift)
-    flows = on and loads and a > yields
-    back = force_at(a, e, own, w)
-    slope = stiffness_at(a, e, own, w)
-    force, rise = plastic_force(max(a, yields), yields, e, r, w, k.pressure, k.variant)
-    steep = rise / overlap_slope(max(a, yields), e, r, w)
-    curved = flattened_radius(a, force, e, r, w) if flows else own
-    widest = a if flows else s.widest
+    held = 1.0 if on else 0.0
+    flows = 1.0 if on and loads and a > yields else 0.0
+    wide = max(a, yields)
+    force, rise = plastic_force(wide, yields, e, r, w, k.pressure, k.variant)
+    steep = max(rise / overlap_slope(wide, e, r, w), 0.0)
+    curved = flattened_radius(wide, force, e, r, w) * flows + own * (1.0 - flows)
+    force = force * flows + force_at(a, e, own, w) * (1.0 - flows)
+    slope = steep * flows + stiffness_at(a, e, own, w) * (1.0 - flows)
+    stored = energy_at(a, e, curved, w)
+    kept = 1.0 if on or g.overlap >= 0.0 else 0.0
+    widest = (a * flows + s.widest * (1.0 - flows)) * kept
     return (
-        Response(
-            (force if flows else back) if on else 0.0,
-            a if on else 0.0,
-            (max(steep, 0.0) if flows else slope) if on else 0.0,
-            energy_at(a, e, curved, w) if on else 0.0,
-            1.0,
-        ),
-        State(widest if on or g.overlap >= 0.0 else 0.0, 1.0 if on else 0.0),
+        Response(force * held, a * held, slope * held, stored * held, 1.0),
+        State(widest, held),
     )
 
 
