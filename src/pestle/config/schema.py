@@ -87,8 +87,10 @@ def _one_law(name: str, law: type) -> dict[str, Any]:
             entry["type"] = kinds[hints[field.name]]
         if field.metadata.get("unit"):
             entry["x-unit"] = field.metadata["unit"]
-            entry["type"] = ["number", "string"]
-        if field.default is not dataclasses.MISSING:
+            entry.pop("type", None)
+            entry["anyOf"] = [{"type": "number"}, {"type": "string"}]
+            entry["examples"] = [f"1 {entry['x-unit']}"]
+        if field.default not in (dataclasses.MISSING, None):
             entry["default"] = field.default
         properties[field.name] = entry
     return {
