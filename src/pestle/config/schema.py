@@ -88,8 +88,8 @@ def _one_law(name: str, law: type) -> dict[str, Any]:
         if field.metadata.get("unit"):
             entry["x-unit"] = field.metadata["unit"]
             entry.pop("type", None)
-            entry["anyOf"] = [{"type": "number"}, {"type": "string"}]
-            entry["examples"] = [f"1 {entry['x-unit']}"]
+            text = {"type": "string", "examples": [f"1 {field.metadata['unit']}"]}
+            entry["anyOf"] = [{"type": "number"}, text]
         if field.default not in (dataclasses.MISSING, None):
             entry["default"] = field.default
         properties[field.name] = entry
