@@ -135,6 +135,14 @@ def test_nan_without_adhesion_never_pulls():
     assert testing.follow(Nan2022(), path, pair=both)["force"].min() == 0.0
 
 
+def test_nan_says_where_it_has_no_answer():
+    """At a cohesion-yield number below 0.00115."""
+    both = Pair(first=testing.SOLID, second=testing.SOLID, work_of_adhesion=300.0)
+    law = Nan2022()
+    with pytest.warns(UserWarning, match=r"below 0\.00115"):
+        testing.parts_of(law).reach(law.constants(both), testing.geometry(0.0))
+
+
 # Ning (1995) as digitised by Nan et al., Table 2: ammonium fluorescein at 10, 5, 2 m/s
 NING = {
     10.0: (42.4e-6, 210.5e-9, 177.3e-9, 8.4e-6),

@@ -37,6 +37,7 @@ from pestle.reference.nan2022 import Contact, respond, stiffness_ratio
 from pestle.reference.nan2022 import contact as complete
 from pestle.reference.nan2022_energy import yield_pressure, yield_pressure_chang
 
+LEAST_RATIO = 0.01  # of k_e/k_c, where (36) gives less or a negative number [-]
 PRESSURES = {"jackson_green": yield_pressure, "chang": yield_pressure_chang}
 
 
@@ -179,7 +180,7 @@ def parameters(k: Constants, radius: float) -> Contact:
         k.pressure,
         elastic,
         k.plastic * elastic,
-        max(ratio, 0.01),
+        max(ratio, LEAST_RATIO),
         k.rule,
     )
 
@@ -199,6 +200,13 @@ def contact(k: Constants, g: Geometry, s: State) -> tuple[Response, State]:
 def reach(k: Constants, g: Geometry) -> float:
     """Farthest negative overlap at which a contact pulls or remembers [m]."""
     c = parameters(k, g.radius)
+    if stiffness_ratio(k.modulus, g.radius, k.adhesion, c.elastic) < LEAST_RATIO:
+        warnings.warn(
+            f"nan2022: at R* = {g.radius:.3g} m the cohesion-yield number is below "
+            "0.00115, where (36) has no answer (Nan et al. 2022); k_e/k_c is held at "
+            f"{LEAST_RATIO}",
+            stacklevel=2,
+        )
     leave = [theory.unloading(c, c.yield_overlap * 1.01**n).leave for n in range(500)]
     return max(-min(leave), -k.forget, 0.0)
 
