@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from pestle.cli.lab_compare import compare
+from pestle.cli.lab_confined import confined
 from pestle.cli.lab_options import ProgressLines, depths_of, mesh_of, numbers_of
 from pestle.cli.lab_study import study
 from pestle.cli.options import AsJson
@@ -198,3 +199,4 @@ def _prepare(folder: Path, *, overwrite: bool) -> None:
 
 lab.command()(study)
 lab.command()(compare)
+lab.command()(confined)

@@ -55,8 +55,9 @@ class Assembly:
         """Places of all element entries in a sparse matrix stored by columns."""
         from scipy.sparse import coo_array
 
-        rows = np.repeat(self.unknowns, 8, axis=1).ravel()
-        columns = np.tile(self.unknowns, (1, 8)).ravel()
+        width = self.unknowns.shape[1]
+        rows = np.repeat(self.unknowns, width, axis=1).ravel()
+        columns = np.tile(self.unknowns, (1, width)).ravel()
         keys, places = np.unique(columns * self.size + rows, return_inverse=True)
         self._places = places.ravel().astype(np.int64)
         entries = (np.ones(len(keys)), (keys % self.size, keys // self.size))
