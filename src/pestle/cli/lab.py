@@ -143,7 +143,7 @@ def _show(result: "Result", numbers: dict[str, Any], *, as_json: bool) -> None:
             f"depth {last['d_R']:.4g} R: force {last['F_ER2']:.5g} E R^2, mean "
             f"pressure {last['pbar_Y']:.4g} Y, contact radius "
             f"{last['A_piR2'] ** 0.5:.4g} R (between {last['r_in']:.4g} and "
-            "{last['r_out']:.4g})"
+            f"{last['r_out']:.4g})"
         )
         typer.echo(
             f"work {last['work_ER3']:.5g} E R^3 = elastic {last['elastic_ER3']:.5g} + "
