@@ -8,6 +8,8 @@ import pytest
 
 from lab_setups import HARD, TINY
 from pestle.cli import main
+from pestle.errors import InputError
+from pestle.lab import fits
 from pestle.lab.compare import compare, rows
 from pestle.lab.figure import draw
 from pestle.lab.mesh import scaled
@@ -43,6 +45,25 @@ def test_unloading_of_a_power_law_is_found_again(pressed):
         alpha = edmans2020.exponent(depth, 200.0, 0.3)
         assert branch.numbers.rho == pytest.approx(float(rho), rel=3e-3)
         assert branch.numbers.alpha == pytest.approx(float(alpha), abs=5e-3)
+
+
+def test_parameter_set_as_a_law(pressed, tmp_path):
+    """With the published constants it is the published law; other sets are refused."""
+    path = tmp_path / "mine.toml"
+    gammas = fits.PAPER["edmans2020"]
+    names = tuple(f"gamma_{i}" for i in range(1, 6))
+    zero = (0.0,) * 4
+    found = fits.Fit("edmans2020", "Eq. 3", names, gammas, None, zero, None, 560)
+    fits.save(found, "mine", path)
+    own = compare(f"shahin2021+{path}", pressed)
+    law = compare("shahin2021+edmans2020", pressed)
+    for a, b in zip(own.branches, law.branches, strict=True):
+        np.testing.assert_allclose(a.forces, b.forces, rtol=1e-12)
+    with pytest.raises(InputError, match="unloads by itself"):
+        compare(f"zunker2024+{path}", pressed)
+    path.write_text(path.read_text().replace('study = "edm', 'study = "zunk'))
+    with pytest.raises(InputError, match="not of a law"):
+        compare(f"shahin2021+{path}", pressed)
 
 
 def test_mdr_unloads_by_itself(pressed):

@@ -145,8 +145,8 @@ def test_die_radius_is_that_of_shahin():
     """Primary contact radius within 5 % of the law in the mean over 0.03 to 0.3."""
     from pestle.particle import Shahin2021
 
-    law = Shahin2021(youngs_modulus=1.0, poisson_ratio=0.3, yield_stress=0.01)
-    sphere = Confined(MATERIAL, "die", edges=8, layers=8, first=0.05)
+    law = Shahin2021(youngs_modulus=1.0, poisson_ratio=0.3, yield_stress=1.0 / 150.0)
+    sphere = Confined(Material(150.0, 0.3), "die", edges=8, layers=8, first=0.05)
     points = [p for p in sphere.load(0.3) if p.depth > 0.03]
     depth = np.array([p.depth for p in points])
     radius = np.sqrt(np.array([p.primary.area for p in points]) / np.pi)

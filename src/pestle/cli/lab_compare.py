@@ -19,7 +19,8 @@ def compare(
         typer.Argument(
             metavar="LAW...",
             help="Law of a particle (zunker2024), with a law of unloading behind a "
-            "plus (shahin2021+edmans2020).",
+            "plus (shahin2021+edmans2020) or a parameter set that `pestle lab study "
+            "edmans2020` wrote (shahin2021+mine.toml).",
         ),
     ],
     modulus_ratio: Annotated[

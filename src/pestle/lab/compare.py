@@ -4,10 +4,12 @@ import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import pi
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from pestle.errors import InputError
 from pestle.lab.material import Material
 from pestle.lab.mesh import Floats
 from pestle.lab.press import Result
@@ -108,21 +110,36 @@ def make_law(law: str, material: Material, parameters: Mapping[str, float]) -> A
     Parameters
     ----------
     law : str
-        Name of the law.
+        Name of the law; behind a plus may stand the file of a fitted parameter set.
     material : Material
         Material of the lab.
     parameters : mapping
         Others, with lengths in radii and stresses in moduli.
     """
-    from pestle.particle import build, fields
+    from pestle.particle import Cycle, build, fields
 
+    first, _, second = law.partition("+")
     own = {
         "youngs_modulus": 1.0,
         "poisson_ratio": material.poisson_ratio,
         "yield_stress": material.yield_stress,
     }
-    known = fields(law)
-    return build(law, {**{k: v for k, v in own.items() if k in known}, **parameters})
+    fitted = second.endswith(".toml")
+    name = first if fitted else law
+    known = fields(name)
+    given = {**{k: v for k, v in own.items() if k in known}, **parameters}
+    made = build(name, given)
+    if not fitted:
+        return made
+    from pestle.lab.fitted import from_file
+
+    if not isinstance(made, Cycle):
+        raise InputError(
+            "law-unloads-itself",
+            f"{first} unloads by itself and takes no parameter set for it",
+            hint=f'write "{first}" alone',
+        )
+    return Cycle(loading=made.loading, unloading=from_file(Path(second), **own))
 
 
 def _unload(rule: Any, depth: float) -> Branch | None:
