@@ -60,6 +60,10 @@ class SimulationError(PestleError):
     exit_code: ClassVar[int] = 1
 
 
+class EnergyWarning(UserWarning):
+    """A rule was chosen that is known to create energy."""
+
+
 def nearest(name: str, options: Iterable[str]) -> str | None:
     """Return the option that looks most like `name`, if any does.
 

@@ -2,6 +2,7 @@
 
 from importlib.metadata import entry_points
 
+from pestle.errors import EnergyWarning
 from pestle.laws import (
     dmt,
     eepa2014,
@@ -17,7 +18,6 @@ from pestle.laws import (
     zunker2024,
 )
 from pestle.laws._base import (
-    EnergyWarning,
     Geometry,
     Nothing,
     Pair,

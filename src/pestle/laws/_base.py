@@ -33,10 +33,6 @@ class Response(NamedTuple):
     damping: float  # factor on the viscous damping of the pair [-]
 
 
-class EnergyWarning(UserWarning):
-    """A rule was chosen that is known to create energy."""
-
-
 class Nothing(NamedTuple):
     """State of a law that remembers nothing, fields of one that needs none."""
 

@@ -18,8 +18,8 @@ from dataclasses import dataclass, field
 from math import sqrt
 from typing import ClassVar, NamedTuple
 
-from pestle.errors import InputError
-from pestle.laws._base import EnergyWarning, Geometry, Pair, Response, register
+from pestle.errors import EnergyWarning, InputError
+from pestle.laws._base import Geometry, Pair, Response, register
 
 
 class Constants(NamedTuple):

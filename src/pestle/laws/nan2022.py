@@ -30,8 +30,8 @@ from dataclasses import dataclass, field
 from math import inf, pi
 from typing import ClassVar, NamedTuple
 
-from pestle.errors import InputError
-from pestle.laws._base import EnergyWarning, Geometry, Pair, Response, Solid, register
+from pestle.errors import EnergyWarning, InputError
+from pestle.laws._base import Geometry, Pair, Response, Solid, register
 from pestle.reference import nan2022 as theory
 from pestle.reference.nan2022 import Contact, respond, stiffness_ratio
 from pestle.reference.nan2022 import contact as complete

@@ -21,8 +21,8 @@ import warnings
 from dataclasses import dataclass, field
 from typing import ClassVar, NamedTuple
 
-from pestle.errors import InputError
-from pestle.laws._base import EnergyWarning, Geometry, Pair, Response, register
+from pestle.errors import EnergyWarning, InputError
+from pestle.laws._base import Geometry, Pair, Response, register
 from pestle.reference.pasha2014 import PARTING, Line, Simple, simple_line
 
 

@@ -7,6 +7,7 @@ solution of MDR for any number of flats, `explicit_path` the step-by-step scheme
 Appendix E.
 """
 
+from pestle.errors import EnergyWarning
 from pestle.particle.biwa1995 import Biwa1995
 from pestle.particle.contact import ParticleMaterial
 from pestle.particle.cycle import Cycle
@@ -22,7 +23,7 @@ from pestle.particle.mesarovic2000 import Mesarovic2000
 from pestle.particle.pull_off import PullOffPoint, pull_off
 from pestle.particle.shahin2021 import Shahin2021
 from pestle.particle.shahin2021_hardening_law import Shahin2021Hardening
-from pestle.particle.solver import EnergyWarning, Particle, follow
+from pestle.particle.solver import Particle, follow
 from pestle.particle.state import FlatState, ParticleState, RadiusRule
 from pestle.particle.zunker2024 import Zunker2024
 

@@ -17,16 +17,12 @@ from collections.abc import Iterable, Sequence
 from math import inf
 from typing import get_args
 
-from pestle.errors import InputError, did_you_mean
+from pestle.errors import EnergyWarning, InputError, did_you_mean
 from pestle.particle.contact import Memory, ParticleMaterial, evaluate
 from pestle.particle.leg import Leg, Point, Resolution
 from pestle.particle.state import ParticleState, RadiusRule, snapshot
 
 EXACT = Resolution()
-
-
-class EnergyWarning(UserWarning):
-    """A rule was chosen that can create energy on closed paths."""
 
 
 class Particle:
