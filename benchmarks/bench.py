@@ -79,7 +79,7 @@ def measure():
     for law in particles():
         subject = SingleParticle(law=law, radius=RADIUS, density=1500.0)
         whole = isinstance(law, Zunker2024)
-        way = path(0.3 * RADIUS, 400 if whole else POINTS)
+        way = path(0.3 * RADIUS)
         if not whole and law.unloading is None:
             way = np.sort(way)
         yield law.name, len(way) / best(subject.follow, way)

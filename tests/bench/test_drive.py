@@ -137,3 +137,38 @@ def test_hertz_needs_no_name():
     pair = Pair(first=SOLID, second=SOLID)
     both = PairContact(law=Hertz(), pair=pair, radius=RADIUS, other_radius=RADIUS)
     assert both.name == "hertz"
+
+
+class TestFlats:
+    """Any set of flats for the exact solver."""
+
+    def mdr(self, **options):
+        law = build(
+            "zunker2024",
+            {"youngs_modulus": 5e9, "poisson_ratio": 0.3, "yield_stress": 2e7},
+        )
+        return SingleParticle(law=law, radius=RADIUS, **options)
+
+    def test_a_configuration_is_a_set_of_flats(self):
+        path = RADIUS * np.array([0.1, 0.2, 0.19])
+        die = self.mdr(configuration="die").follow(path).force
+        flats = self.mdr(flats=(1.0, 0.0, 0.0, 1.0, 0.0, 0.0)).follow(path).force
+        np.testing.assert_array_equal(die, flats)
+
+    def test_more_flats_confine_more(self):
+        path = RADIUS * np.array([0.2])
+        forces = [
+            self.mdr(flats=flats).follow(path).force[0]
+            for flats in [(1.0, 0.0), (1.0, 0.5), (1.0, 1.0, 1.0)]
+        ]
+        assert forces == sorted(forces)
+        assert forces[0] < forces[1]
+
+    @pytest.mark.parametrize("bad", [(0.0, 1.0), (2.0,), (1.0, float("nan"))])
+    def test_the_first_is_the_one_of_the_path(self, bad):
+        with pytest.raises(InputError, match="flats-without-path"):
+            self.mdr(flats=bad)
+
+    def test_other_laws_know_no_flats(self):
+        with pytest.raises(InputError, match="configuration-without-law"):
+            SingleParticle(law=PARTICLE, radius=RADIUS, flats=(1.0, 0.0))

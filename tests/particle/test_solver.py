@@ -15,6 +15,7 @@ from pestle.particle import (
     ParticleMaterial,
     Resolution,
     follow,
+    leg,
 )
 from pestle.reference import ellipse, mdr, volume
 
@@ -285,6 +286,34 @@ class TestEnergy:
         p.move([0.3])
         states = [p.state, *follow(p, fine([(0.3,), (0.2,), (0.3,)], 300))]
         assert abs(work(states, (2,))) < 1e-12
+
+
+class TestCompiled:
+    @pytest.mark.parametrize(
+        ("counts", "rule", "w", "path"),
+        [
+            ((2,), "plastic", 0.0, [[0.3], [0.297], [0.31]]),
+            ((2,), "loading", 0.01, [[0.1], [-0.05], [0.12]]),
+            ((2, 4), "plastic", 0.0, [[0.2, 0.0], [0.35, 0.0], [0.3, 0.0]]),
+            ((1, 1, 1), "eq37", 0.0, [[0.2, 0.0, 0.0], [0.1, 0.15, 0.0]]),
+        ],
+    )
+    @pytest.mark.filterwarnings("ignore::pestle.errors.EnergyWarning")
+    def test_same_as_plain_python(self, counts, rule, w, path):
+        p = Particle(
+            material(12.5, work_of_adhesion=w), 1.0, counts=counts, radius_rule=rule
+        )
+        plain = np.empty((len(path), len(counts), leg.COLUMNS))
+        trouble = np.zeros(3)
+        done = leg.follow_path(
+            p._setting, p._counts, p._point, np.array(path), plain, trouble
+        )
+        trace = p.trace(path)
+        assert done == len(path)
+        np.testing.assert_allclose(
+            trace.force, plain[:, :, leg.FORCE], rtol=1e-11, atol=1e-15
+        )
+        np.testing.assert_allclose(trace.radius, 1.0 + plain[:, 0, leg.GROWTH], 1e-13)
 
 
 class TestErrors:

@@ -139,6 +139,7 @@ def subject(
     radius: float,
     configuration: str = "simple",
     other_radius: float = 0.0,
+    flats: tuple[float, ...] = (),
 ) -> Subject:
     """Put a law on the bench.
 
@@ -154,6 +155,8 @@ def subject(
         How flats press a particle; pair laws do not look at it.
     other_radius : float
         Radius of the second particle of a pair; 0 is a rigid wall [m].
+    flats : tuple of float
+        Any set of flats in place of the configuration, see `SingleParticle` [-].
     """
     known = parameters(name)
     for key in values:
@@ -178,6 +181,14 @@ def subject(
             radius=radius,
             configuration=checked(configuration),
             density=density,
+            flats=flats,
+        )
+    if flats:
+        raise InputError(
+            "configuration-without-law",
+            f"{name} is a law of a pair: it knows no set of flats",
+            "--flats",
+            "take zunker2024",
         )
     law = _pair_law(name)(**{k: v for k, v in own.items() if k not in SOLID})
     keys = ("youngs_modulus", "poisson_ratio", "yield_stress")

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from pestle.errors import InputError
 from pestle.laws import Nothing, Pair, Parts, parts_of
 from pestle.particle.library import WholeLaw
+from pestle.particle.zunker2024 import Zunker2024, checked_flats
 
 Array = NDArray[np.float64]
 
@@ -42,12 +43,28 @@ class SingleParticle:
         "simple", "die" or "hydrostatic".
     density : float
         Density of the solid, for impacts [kg/m^3].
+    flats : tuple of float
+        Any other set of flats, for the exact MDR only: how far each moves over the
+        displacement of the path, the first 1 [-].
     """
 
     law: WholeLaw
     radius: float
     configuration: str = "simple"
     density: float = 0.0
+    flats: tuple[float, ...] = ()
+
+    def __post_init__(self) -> None:
+        """Refuse flats that the law does not know."""
+        if self.flats and not isinstance(self.law, Zunker2024):
+            raise InputError(
+                "configuration-without-law",
+                f"{self.law.name} says nothing about a set of {len(self.flats)} flats",
+                "--flats",
+                "take zunker2024, or --configuration simple, die or hydrostatic",
+            )
+        if self.flats:
+            checked_flats(self.flats)
 
     @property
     def name(self) -> str:
@@ -72,12 +89,18 @@ class SingleParticle:
     def follow(self, path: ArrayLike) -> Trace:
         """Follow paths of displacements [m]."""
         paths = np.asarray(path, dtype=float)
-        at = {"radius": self.radius, "configuration": self.configuration}
-        if paths.ndim > 1 and not hasattr(self.law, "loading"):
-            rows = [self.law.follow(row, **at) for row in paths]  # type: ignore[arg-type]
-            force, contact = (np.stack(part) for part in zip(*rows, strict=True))
+        at: dict[str, Any] = {
+            "radius": self.radius,
+            "configuration": self.configuration,
+        }
+        if isinstance(self.law, Zunker2024):
+            rows = paths.reshape(-1, paths.shape[-1])
+            curves = [self.law.follow(row, flats=self.flats, **at) for row in rows]
+            force, contact = (
+                np.reshape(part, paths.shape) for part in zip(*curves, strict=True)
+            )
         else:
-            force, contact = self.law.follow(paths, **at)  # type: ignore[arg-type]
+            force, contact = self.law.follow(paths, **at)
         return Trace(paths, force, contact, np.full_like(force, np.nan))
 
 

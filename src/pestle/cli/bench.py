@@ -48,6 +48,15 @@ def bench(
     configuration: Annotated[
         str, typer.Option(help="Particle: simple, die or hydrostatic.")
     ] = "simple",
+    flats: Annotated[
+        str | None,
+        typer.Option(
+            metavar="1,F,F,...",
+            help="zunker2024: any set of flats instead; how far each moves over the "
+            "path, the first 1: 1,0,0 is one that moves and two that stand.",
+            show_default=False,
+        ),
+    ] = None,
     path: Annotated[
         str,
         typer.Option(
@@ -109,6 +118,7 @@ def bench(
             radius=quantity(radius, "m", "--radius"),
             against=against,
             configuration=configuration,
+            flats=_flats(flats),
         )
         if impact is None:
             bench_run.drive_all(
@@ -168,6 +178,7 @@ def _subjects(
     radius: float,
     against: str,
     configuration: str,
+    flats: tuple[float, ...],
 ) -> dict[str, "Subject"]:
     from pestle.bench import setup
     from pestle.errors import did_you_mean
@@ -197,8 +208,24 @@ def _subjects(
             radius=radius,
             configuration=configuration,
             other_radius=0.0 if against == "wall" else radius,
+            flats=flats,
         )
     return subjects
+
+
+def _flats(text: str | None) -> tuple[float, ...]:
+    """Read a set of flats such as "1,0,0"."""
+    if text is None:
+        return ()
+    try:
+        return tuple(float(part) for part in text.split(","))
+    except ValueError:
+        raise InputError(
+            "not-a-number",
+            f"{text!r} is not a list of numbers",
+            "--flats",
+            "how far each flat moves over the path, such as 1,0,0",
+        ) from None
 
 
 def _packaged(name: str) -> dict[str, float]:

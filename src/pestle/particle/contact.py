@@ -121,48 +121,79 @@ def evaluate(
     Contact
         The contact with its updated memory.
     """
-    memory = memory._replace(largest=max(memory.largest, overlap))
+    found = respond(
+        material.constants, material.work_of_adhesion, radius, overlap, memory
+    )
+    if beyond_equator(radius, found):
+        raise equator_passed(radius, overlap)
+    return found
+
+
+def respond(
+    k: Constants,
+    work_of_adhesion: float,
+    radius: float,
+    overlap: float,
+    memory: Memory,
+) -> Contact:
+    """Answer of a contact, as a compiler can take it; see `evaluate`."""
+    largest = max(memory.largest, overlap)
     shape, depth = of_sphere(radius), overlap
     if memory.yielded:
-        plastic = plastic_part(material, radius, memory)
-        shape, depth = plastic.shape, mdr.penetration(overlap, memory.largest, plastic)
-    if depth > 0.5 * shape.height * (1.0 + 1e-9):
-        raise SimulationError(
-            "beyond-equator",
-            f"an overlap of {overlap:.6g} m presses an elastic particle of radius "
-            f"{radius:.6g} m past the equator of its indenter",
-            hint="stay below twice the radius",
+        plastic = mdr.plastic_contact(
+            largest, radius, area_offset=memory.area_offset, constants=k
         )
+        shape, depth = plastic.shape, mdr.penetration(overlap, largest, plastic)
     adhered = peeling.adhere(
         shape,
         depth,
         memory.radius,
-        modulus=material.constants.modulus,
-        work_of_adhesion=material.work_of_adhesion,
+        modulus=k.modulus,
+        work_of_adhesion=work_of_adhesion,
     )
-    new = memory._replace(radius=adhered.radius)
+    new = Memory(
+        largest,
+        adhered.radius,
+        memory.yielded,
+        memory.yield_overlap,
+        memory.area_offset,
+    )
     return Contact(overlap, depth, adhered.force, adhered.radius, adhered.state, new)
 
 
+def beyond_equator(radius: float, contact: Contact) -> bool:
+    """Tell whether an intact contact is pressed past the equator of its ellipse.
+
+    A yielded one cannot be: it is at the equator at its running maximum.
+    """
+    deepest = 2.0 * radius * (1.0 + 1e-9)
+    return not contact.memory.yielded and contact.penetration > deepest
+
+
+def equator_passed(radius: float, overlap: float) -> SimulationError:
+    """Error of a contact that is pressed past the equator of its ellipse."""
+    return SimulationError(
+        "beyond-equator",
+        f"an overlap of {overlap:.6g} m presses an elastic particle of radius "
+        f"{radius:.6g} m past the equator of its indenter",
+        hint="stay below twice the radius",
+    )
+
+
 def has_reached_yield(
-    material: ParticleMaterial, radius: float, contact: Contact
+    k: Constants, radius: float, overlap: float, memory: Memory
 ) -> bool:
     """Tell whether an intact contact exceeds its yield pressure, Eqs. (40), (16)."""
-    memory, k = contact.memory, material.constants
-    if memory.yielded or contact.overlap <= 0.0:
+    if memory.yielded or overlap <= 0.0:
         return False
-    elastic = hertz.mean_pressure(contact.overlap, radius, modulus=k.modulus)
+    elastic = hertz.mean_pressure(overlap, radius, modulus=k.modulus)
     return elastic > mdr.hardening_pressure(
         memory.largest, radius, yield_stress=k.yield_stress
     )
 
 
-def yielded(material: ParticleMaterial, radius: float, memory: Memory) -> Memory:
+def yielded(k: Constants, radius: float, memory: Memory) -> Memory:
     """Memory of a contact after first yield at the present radius, Eqs. (41), (43)."""
-    k = material.constants
     overlap = mdr.yield_overlap(radius, modulus=k.modulus, yield_stress=k.yield_stress)
-    return memory._replace(
-        yielded=True,
-        yield_overlap=overlap,
-        area_offset=mdr.area_offset(overlap, radius),
-    )
+    offset = mdr.area_offset(overlap, radius)
+    return Memory(memory.largest, memory.radius, True, overlap, offset)

@@ -167,10 +167,10 @@ def _contact(
     material: ParticleMaterial, radius: float, overlap: float, memory: Memory
 ) -> Contact:
     contact = evaluate(material, radius, overlap, memory)
-    if has_reached_yield(material, radius, contact):
-        return evaluate(
-            material, radius, overlap, yielded(material, radius, contact.memory)
-        )
+    k, remembered = material.constants, contact.memory
+    if has_reached_yield(k, radius, overlap, remembered):
+        memory = yielded(k, radius, remembered)
+        return evaluate(material, radius, overlap, memory)
     return contact
 
 

@@ -15,14 +15,36 @@ energy), "frozen" never.
 import warnings
 from collections.abc import Iterable, Sequence
 from math import inf
-from typing import get_args
+from typing import NamedTuple, get_args
 
-from pestle.errors import EnergyWarning, InputError, did_you_mean
-from pestle.particle.contact import Memory, ParticleMaterial, evaluate
-from pestle.particle.leg import Leg, Point, Resolution
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pestle.errors import EnergyWarning, InputError, SimulationError, did_you_mean
+from pestle.particle import leg
+from pestle.particle.contact import (
+    Contact,
+    Memory,
+    ParticleMaterial,
+    equator_passed,
+    evaluate,
+)
+from pestle.particle.leg import Resolution, Setting
 from pestle.particle.state import ParticleState, RadiusRule, snapshot
+from pestle.reference import volume
+from pestle.reference.peeling import Peel
 
 EXACT = Resolution()
+
+Array = NDArray[np.float64]
+
+
+class Trace(NamedTuple):
+    """Ends of the legs of a path."""
+
+    force: Array  # of each flat of every group; (legs, groups) [N]
+    contact_radius: Array  # (legs, groups) [m]
+    radius: Array  # apparent radius R; (legs,) [m]
 
 
 class Particle:
@@ -86,9 +108,18 @@ class Particle:
         self.counts = tuple(counts)
         self.radius_rule = radius_rule
         self.resolution = resolution
-        rest = (0.0,) * len(counts)
+        self._setting = Setting(
+            material.constants,
+            float(material.work_of_adhesion),
+            float(radius),
+            leg.RULES.index(radius_rule),
+            Resolution(*map(float, resolution)),
+        )
+        self._counts = np.array(self.counts, dtype=float)
+        self._point = np.zeros((len(self.counts), leg.COLUMNS))
         contact = evaluate(material, radius, 0.0, Memory())
-        self._point = Point(rest, 0.0, (contact,) * len(counts))
+        for group in range(len(self.counts)):
+            leg.put(self._point, group, contact)
 
     @property
     def state(self) -> ParticleState:
@@ -96,10 +127,10 @@ class Particle:
         return snapshot(
             self.material,
             self.initial_radius,
-            self._point.growth,
-            contacts=self._point.contacts,
+            float(self._point[0, leg.GROWTH]),
+            contacts=[_contact(row) for row in self._point.tolist()],
             counts=self.counts,
-            displacements=self._point.displacements,
+            displacements=self._point[:, leg.DISPLACEMENT].tolist(),
         )
 
     def copy(self) -> "Particle":
@@ -126,24 +157,80 @@ class Particle:
         SimulationError
             Where the growth of the radius becomes singular (confined particle).
         """
-        if len(displacements) != len(self.counts):
+        self.trace([displacements])
+        return self.state
+
+    def trace(self, path: ArrayLike) -> Trace:
+        """Move along straight legs, as `move` does, and return numbers for each end.
+
+        Parameters
+        ----------
+        path : array
+            Displacements of every group at the ends of the legs; (legs, groups) [m].
+        """
+        from pestle.particle._compile import compiled
+
+        targets = np.asarray(path, dtype=float)
+        if targets.ndim != 2 or targets.shape[1] != len(self.counts):
             raise InputError(
                 "wrong-number-of-flats",
-                f"{len(displacements)} displacements for {len(self.counts)} groups",
+                f"{np.shape(path)[-1]} displacements for {len(self.counts)} groups",
                 hint="give one displacement for each group of flats",
             )
-        target = tuple(float(d) for d in displacements)
-        for d in target:
-            if not -inf < d < self.initial_radius:
-                raise InputError(
-                    "flat-beyond-centre",
-                    f"a displacement of {d:.6g} m is not possible for a particle of "
-                    f"radius {self.initial_radius:.6g} m",
-                    hint="displacements are finite and below the initial radius",
-                )
-        leg = Leg(self, self._point.displacements, target)
-        self._point = leg.run(self._point)
-        return self.state
+        impossible = targets[~((targets < self.initial_radius) & (targets > -inf))]
+        if impossible.size:
+            raise InputError(
+                "flat-beyond-centre",
+                f"a displacement of {impossible[0]:.6g} m is not possible for a "
+                f"particle of radius {self.initial_radius:.6g} m",
+                hint="displacements are finite and below the initial radius",
+            )
+        out = np.empty((len(targets), *self._point.shape))
+        trouble = np.zeros(3)
+        done = compiled(leg.follow_path)(
+            self._setting, self._counts, self._point, targets, out, trouble
+        )
+        if done:
+            self._point = out[done - 1].copy()
+        if done < len(targets):
+            raise self._error(out[done], trouble)
+        return Trace(
+            out[:, :, leg.FORCE],
+            out[:, :, leg.RADIUS],
+            self.initial_radius + out[:, 0, leg.GROWTH],
+        )
+
+    def _error(self, point: Array, trouble: Array) -> SimulationError:
+        """Error of a path that cannot be followed further."""
+        r_o = self.initial_radius
+        if trouble[0] == leg.EQUATOR:
+            return equator_passed(trouble[2], trouble[1])
+        if trouble[0] == leg.CRUSHED:
+            return volume.crushed(trouble[1], r_o)
+        reached = ", ".join(f"{d / r_o:.6g}" for d in point[:, leg.DISPLACEMENT])
+        return SimulationError(
+            "radius-singular",
+            "the apparent radius would grow without bound: the caps of the flats fill "
+            "the particle",
+            where=f"displacements of {reached} radii, "
+            f"apparent radius {1.0 + point[0, leg.GROWTH] / r_o:.6g} radii",
+            hint="stop before; beyond this confinement a particle responds by its bulk "
+            "modulus, which this single-particle model leaves out",
+        )
+
+
+def _contact(row: list[float]) -> Contact:
+    """Contact in a row of a point, in plain numbers."""
+    memory = Memory(
+        row[leg.LARGEST],
+        row[leg.RADIUS],
+        row[leg.YIELDED] > 0.0,
+        row[leg.YIELD_OVERLAP],
+        row[leg.AREA_OFFSET],
+    )
+    peel = Peel(int(row[leg.STATE]))
+    overlap, depth, force, radius = row[: leg.STATE]
+    return Contact(overlap, depth, force, radius, peel, memory)
 
 
 def follow(particle: Particle, path: Iterable[Sequence[float]]) -> list[ParticleState]:

@@ -1,11 +1,15 @@
 """Zunker and Kamrin (2024) as a law of a single particle: the exact solver of MDR.
 
 It follows a path with all its memory, so that it needs no law of unloading.  Points are
-computed one after the other, each from the state before.
+computed one after the other, each from the state before.  Besides the three
+configurations it takes any set of flats: contacts see each other through the volume
+only, so that their directions do not matter.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar, cast
+from math import inf
+from typing import ClassVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -17,10 +21,26 @@ from pestle.particle.law import Array, Curve, Loading, choice, parameter, regist
 from pestle.particle.solver import Particle
 from pestle.particle.state import RadiusRule
 
-if TYPE_CHECKING:
-    from pestle.particle.state import ParticleState
+FLATS = {
+    "simple": (1.0, 1.0),
+    "die": (1.0, 1.0, 0.0, 0.0, 0.0, 0.0),
+    "hydrostatic": (1.0,) * 6,
+}
+"""How far each flat of a configuration moves, over the displacement of the path."""
 
-COUNTS = {"simple": (2,), "die": (2, 4), "hydrostatic": (6,)}
+
+def checked_flats(flats: Sequence[float]) -> tuple[float, ...]:
+    """Return a set of flats, or say what is wrong with it."""
+    moves = tuple(float(move) for move in flats)
+    if not moves or moves[0] != 1.0 or not all(-inf < move < inf for move in moves):
+        raise InputError(
+            "flats-without-path",
+            f"flats {', '.join(f'{move:g}' for move in moves) or 'none'} do not begin "
+            "with the one that the path describes",
+            hint="write 1 first, then how far each other flat moves in proportion: "
+            "1,0,0 is one flat that moves and two that stand",
+        )
+    return moves
 
 
 @register
@@ -56,15 +76,33 @@ class Zunker2024(Loading):
 
     def _curve(self, x: Array, radius: float, configuration: str) -> Curve:
         order = np.argsort(x, axis=None)
-        out = self._run(np.ravel(x)[order] * radius, radius, configuration)
+        out = self._run(np.ravel(x)[order] * radius, radius, FLATS[configuration])
         back = np.empty_like(order)
         back[order] = np.arange(order.size)
         return Curve(*(part[back].reshape(np.shape(x)) for part in out))
 
     def follow(
-        self, displacement: ArrayLike, *, radius: float, configuration: str = "simple"
+        self,
+        displacement: ArrayLike,
+        *,
+        radius: float,
+        configuration: str = "simple",
+        flats: Sequence[float] = (),
     ) -> Curve:
-        """Force and contact radius along one path of the moving flats."""
+        """Force and contact radius of the first flat along one path.
+
+        Parameters
+        ----------
+        displacement : array
+            Of the moving flats, one path from the virgin state on [m].
+        radius : float
+            Radius of the particle [m].
+        configuration : {"simple", "die", "hydrostatic"}
+            How many flats there are and which move.
+        flats : sequence of float
+            Any other set of flats: how far each moves over the displacement; the first
+            is 1.  In place of the configuration [-].
+        """
         path = np.asarray(displacement, dtype=float)
         if path.ndim != 1:
             raise InputError(
@@ -73,23 +111,19 @@ class Zunker2024(Loading):
                 f"{path.shape}",
                 hint="call it once for each path",
             )
-        return self._run(path, radius, checked(configuration))
+        known = FLATS[checked(configuration)]
+        return self._run(path, radius, checked_flats(flats) if flats else known)
 
-    def _run(self, path: Array, radius: float, configuration: str) -> Curve:
+    def _run(self, path: Array, radius: float, flats: Sequence[float]) -> Curve:
         material = ParticleMaterial(
             youngs_modulus=float(self.youngs_modulus),
             poisson_ratio=float(self.poisson_ratio),
             yield_stress=float(self.yield_stress),
             work_of_adhesion=float(self.work_of_adhesion),
         )
-        counts = COUNTS[configuration]
+        moves = list(dict.fromkeys(flats))  # flats that move alike are one group
+        counts = [list(flats).count(move) for move in moves]
         rule = cast(RadiusRule, self.radius_rule)
         particle = Particle(material, radius, counts=counts, radius_rule=rule)
-        still = (0.0,) * (len(counts) - 1)
-        flats = [_flat(particle.move((d, *still))) for d in path]
-        return Curve(*np.array(flats, dtype=float).reshape(-1, 2).T)
-
-
-def _flat(state: "ParticleState") -> tuple[Any, Any]:
-    flat = state.flats[0]
-    return flat.force, flat.contact_radius
+        trace = particle.trace(np.multiply.outer(path, moves))
+        return Curve(trace.force[:, 0], trace.contact_radius[:, 0])

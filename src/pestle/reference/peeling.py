@@ -13,8 +13,11 @@ from enum import IntEnum
 from math import pi, sqrt
 from typing import Literal, NamedTuple
 
-from pestle.reference import ellipse
+from pestle.reference import ellipse, roots
 from pestle.reference.ellipse import Ellipse
+
+Peeling = tuple[Ellipse, float, float, float]
+"""Indenter, penetration [m], E* [Pa] and work of adhesion [J/m^2]."""
 
 
 class Peel(IntEnum):
@@ -174,23 +177,39 @@ def peel(
     >>> peel(Ellipse(4.0, 2.0), -0.1, 0.1, **k) is None
     True
     """
+    given = (shape, penetration, modulus, work_of_adhesion)
+    return _peeled(radius, given) or None
+
+
+def _peeled(radius: float, given: Peeling) -> float:
+    """Radius to which a contact peels, 0 if it separates [m]."""
+    shape, penetration, modulus, work_of_adhesion = given
     if work_of_adhesion == 0.0:
-        root = ellipse.contact_radius(shape, penetration)
-        return root if penetration > 0.0 else None
-    lowest = critical_radius(shape, modulus=modulus, work_of_adhesion=work_of_adhesion)
+        return ellipse.contact_radius(shape, penetration)  # 0 without penetration
+    lowest = critical_radius(
+        shape,
+        modulus=modulus,
+        work_of_adhesion=work_of_adhesion,
+        control="displacement",
+    )
 
-    def excess(a: float) -> float:
-        length = detachment_length(
-            a, modulus=modulus, work_of_adhesion=work_of_adhesion
-        )
-        return ellipse.profile(shape, a) - length - penetration
+    at_lowest = _edge_excess(lowest, given)
+    if radius <= lowest or at_lowest > 0.0:
+        return 0.0
+    root = roots.bracket(lowest, at_lowest, radius, _edge_excess(radius, given))
+    for _ in range(200):
+        root = roots.narrowed(root, 1e-16 * shape.width, 1e-15)
+        if root.done:
+            break
+        root = roots.measured(root, _edge_excess(root.here, given))
+    return root.here
 
-    if radius <= lowest or excess(lowest) > 0.0:
-        return None
-    from scipy.optimize import brentq
 
-    tiny = 1e-16 * shape.width
-    return float(brentq(excess, lowest, radius, xtol=tiny, rtol=1e-15, maxiter=200))
+def _edge_excess(a: float, given: Peeling) -> float:
+    """Stretch of the outermost spring beyond what holds it, zero in Eq. (48) [m]."""
+    shape, penetration, modulus, work_of_adhesion = given
+    length = detachment_length(a, modulus=modulus, work_of_adhesion=work_of_adhesion)
+    return ellipse.profile(shape, a) - length - penetration
 
 
 def adhere(
@@ -238,12 +257,9 @@ def adhere(
         held, modulus=modulus, work_of_adhesion=work_of_adhesion
     ):
         state = Peel.PEELING
-        root = peel(
-            shape, penetration, held, modulus=modulus, work_of_adhesion=work_of_adhesion
-        )
-        if root is None:
+        held = _peeled(held, (shape, penetration, modulus, work_of_adhesion))
+        if held == 0.0:
             return Adhered(0.0, 0.0, Peel.SEPARATED)
-        held = root
     return Adhered(force(shape, penetration, held, modulus=modulus), held, state)
 
 

@@ -112,16 +112,86 @@ def lost_volume(virial: float, initial_radius: float, *, bulk: float) -> float:
     >>> round(lost_volume(0.3, 1.0, bulk=1.0), 6)
     0.102509
     """
-    whole = sphere_volume(initial_radius)
-    q = 4.0 * virial / (3.0 * bulk * whole)
-    if q > 1.0:
-        raise SimulationError(
-            "particle-crushed",
-            f"forces times branch lengths of {virial:.6g} J exceed what the particle's "
-            f"volume of {whole:.6g} m^3 can balance elastically",
-            hint="stop at a smaller displacement, or use the correct bulk modulus",
-        )
-    return 0.5 * whole * q / (1.0 + sqrt(1.0 - q))
+    if virial_ratio(virial, initial_radius, bulk=bulk) > 1.0:
+        raise crushed(virial, initial_radius)
+    return lost_volume_within(virial, initial_radius, bulk=bulk)
+
+
+def crushed(virial: float, initial_radius: float) -> SimulationError:
+    """Error of forces that a particle's volume cannot balance.
+
+    Parameters
+    ----------
+    virial, initial_radius : float
+        S [J] and R_o [m].
+
+    Returns
+    -------
+    SimulationError
+        The error.
+
+    Examples
+    --------
+    >>> crushed(1.0, 1.0).id
+    'particle-crushed'
+    """
+    return SimulationError(
+        "particle-crushed",
+        f"forces times branch lengths of {virial:.6g} J exceed what the particle's "
+        f"volume of {sphere_volume(initial_radius):.6g} m^3 can balance elastically",
+        hint="stop at a smaller displacement, or use the correct bulk modulus",
+    )
+
+
+def virial_ratio(virial: float, initial_radius: float, *, bulk: float) -> float:
+    r"""Virial over the largest that a particle can balance, :math:`4S/(3\kappa V_o)`.
+
+    Parameters
+    ----------
+    virial : float
+        S, forces times branch lengths, compression positive [J].
+    initial_radius : float
+        R_o [m].
+    bulk : float
+        kappa [Pa].
+
+    Returns
+    -------
+    float
+        Ratio [-]; beyond 1 there is no volume.
+
+    Examples
+    --------
+    >>> round(virial_ratio(3.0, 1.0, bulk=1.0), 12)
+    0.954929658551
+    """
+    return 4.0 * virial / (3.0 * bulk * sphere_volume(initial_radius))
+
+
+def lost_volume_within(virial: float, initial_radius: float, *, bulk: float) -> float:
+    """Elastic volume loss where `virial_ratio` is known to be at most 1.
+
+    Parameters
+    ----------
+    virial : float
+        S, forces times branch lengths, compression positive [J].
+    initial_radius : float
+        R_o [m].
+    bulk : float
+        kappa [Pa].
+
+    Returns
+    -------
+    float
+        Volume [m^3]; no meaning beyond.
+
+    Examples
+    --------
+    >>> round(lost_volume_within(0.3, 1.0, bulk=1.0), 6)
+    0.102509
+    """
+    q = virial_ratio(virial, initial_radius, bulk=bulk)
+    return 0.5 * sphere_volume(initial_radius) * q / (1.0 + sqrt(max(1.0 - q, 0.0)))
 
 
 class RadiusStep(NamedTuple):
