@@ -240,11 +240,20 @@ def test_version(capsys):
 
 
 def test_laws(capsys):
+    from pestle import laws, particle
+
     assert main(["laws"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    everything = [*laws.names(), *particle.names(), *particle.unloading_names()]
+    shown = [line.split() for line in lines if line.startswith("  ")]
+    assert sorted(words[0] for words in shown) == sorted(everything)
+    assert all(len(words) > 3 for words in shown)  # one line that says something
+    assert main(["laws", "mdr"]) == 0
     assert "psi_b" in capsys.readouterr().out
     assert main(["laws", "mdr", "--json"]) == 0
-    (law,) = json.loads(capsys.readouterr().out)
-    assert law["name"] == "zunker2024"
+    found = json.loads(capsys.readouterr().out)
+    assert [law["kind"] for law in found] == ["pair", "loading"]
+    assert {law["name"] for law in found} == {"zunker2024"}
     assert main(["laws", "hetz"]) == 2
     assert "hertz" in capsys.readouterr().err
 

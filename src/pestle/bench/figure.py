@@ -24,7 +24,8 @@ if TYPE_CHECKING:
 
     from pestle.bench.drive import Run
     from pestle.bench.impact import Collision, Impact
-    from pestle.bench.subject import Array
+    from pestle.bench.subject import Array, PairContact
+    from pestle.laws import Pair
 
 COLOURS = (BLUE, ORANGE, GREEN, PURPLE, RED, SAND, GREY)
 DASHES = ("-", "--", "-.", ":")
@@ -160,3 +161,63 @@ def draw_law(
     return draw_runs(
         {law.name: run}, radius=radius, title=f"{law.name}, {configuration}"
     )
+
+
+def draw_pair_law(
+    law: Any,
+    *,
+    pair: "Pair | None" = None,
+    radius: float = 5e-5,
+    other_radius: float = 0.0,
+    peaks: Sequence[float] = (0.0005, 0.001, 0.002),
+) -> "Figure":
+    """Draw a law of a pair: loading, and unloading from each peak until it parts.
+
+    A law whose contacts see each other is drawn as its particle between two flats.
+
+    Parameters
+    ----------
+    law : object
+        A law of `pestle.laws`, or one's own that is registered.
+    pair : Pair, optional
+        The materials; E = 5 GPa, nu = 0.3, Y = 20 MPa, W = 0.1 J/m^2 against a rigid
+        wall without it.
+    radius, other_radius : float
+        Radii, the second 0 for a wall [m].
+    peaks : sequence of float
+        Overlaps over the first radius at which it unloads [-].
+    """
+    from pestle.bench.drive import Displacement, Waypoint, drive
+    from pestle.bench.subject import PairContact
+    from pestle.laws import Nothing, Pair, Solid, parts_of
+    from pestle.particle.zunker2024 import Zunker2024
+
+    pair = pair or Pair(
+        first=Solid(youngs_modulus=5e9, poisson_ratio=0.3, yield_stress=2e7),
+        second=Solid(),
+        work_of_adhesion=0.1,
+        wall=True,
+    )
+    if parts_of(law).particle is not Nothing:
+        solid = pair.first
+        particle = Zunker2024(
+            youngs_modulus=solid.youngs_modulus,
+            poisson_ratio=solid.poisson_ratio,
+            yield_stress=solid.yield_stress,
+            work_of_adhesion=pair.work_of_adhesion,
+            radius_rule=law.radius_rule,
+        )
+        return draw_law(particle, radius=radius, peaks=peaks)
+    subject = PairContact(law=law, pair=pair, radius=radius, other_radius=other_radius)
+    end = Displacement(-1.001 * subject.reach)
+    points: list[Waypoint] = []
+    for x in sorted(peaks):
+        points += [Displacement(x * radius), end]
+    run = drive(subject, points, points=2000)
+    return draw_runs({law.name: run}, title=f"{law.name}, {_of_pair(subject)}")
+
+
+def _of_pair(subject: "PairContact") -> str:
+    against = "a wall" if subject.other_radius == 0.0 else "a particle"
+    size, unit = unit_of(subject.radius, "m")
+    return f"{subject.radius / size:.4g} {unit} against {against}"

@@ -12,31 +12,70 @@ Name = Annotated[
     str | None, typer.Argument(help="Show one law in full.", show_default=False)
 ]
 
+KINDS = {
+    "pair": "laws of a pair, for runs",
+    "loading": "laws of one particle between flats, pressed",
+    "unloading": "laws of one particle between flats, released; behind a plus",
+}
+
 
 def laws(name: Name = None, as_json: AsJson = False) -> None:
-    """List the contact laws and their options."""
-    from pestle import laws as registry
-    from pestle.cli.printing import print_json
+    """List all contact laws, of pairs and of single particles; one law in full."""
+    from pestle.cli.printing import print_json, print_table
 
-    chosen = [registry.get(name)] if name else map(registry.get, registry.names())
-    described = [_described(law) for law in chosen]
+    described = [_described(kind, law) for kind, law in _chosen(name)]
     if as_json:
         print_json(described)
-        return
-    for law in described:
-        typer.echo(f"{law['name']}: {law['summary']}")
-        for option in law["options"]:
-            default = option["default"]
-            shown = "required" if default is None else f"default {default}"
-            typer.echo(f"    {option['name']}: {option['help']} ({shown})")
-        if name:
-            typer.echo(f"\n{law['text']}\n\n{law['citation']}")
+    elif name:
+        for law in described:
+            _print_whole(law)
+    else:
+        for kind, title in KINDS.items():
+            typer.echo(f"{title}:")
+            rows = [law for law in described if law["kind"] == kind]
+            print_table([(f"  {law['name']}", law["summary"]) for law in rows])
+        typer.echo("`pestle laws NAME` shows one in full; `pestle bench NAME` tries it")
 
 
-def _described(law: Any) -> dict[str, Any]:
+def _chosen(name: str | None) -> list[tuple[str, Any]]:
+    """Kind and class of all laws, or of those that have a name."""
+    from pestle import laws as pairs
+    from pestle.errors import InputError, did_you_mean
+    from pestle.particle.law import LOADING, UNLOADING
+
+    every: list[tuple[str, Any]]
+    every = [("pair", pairs.get(each)) for each in pairs.names()]
+    every += [("loading", LOADING[each]) for each in sorted(LOADING)]
+    every += [("unloading", UNLOADING[each]) for each in sorted(UNLOADING)]
+    if name is None:
+        return every
+    known = {law.name for _, law in every}
+    try:
+        found: Any = None if name in known else pairs.get(name)  # by an alias
+    except InputError:
+        raise InputError(
+            "unknown-law",
+            f"there is no contact law {name!r}",
+            hint=did_you_mean(name, known),
+        ) from None
+    wanted = found.name if found else name
+    return [(kind, law) for kind, law in every if law.name == wanted]
+
+
+def _print_whole(law: dict[str, Any]) -> None:
+    typer.echo(f"{law['name']}: {law['summary']} ({law['kind']})")
+    for option in law["options"]:
+        default = option["default"]
+        shown = "required" if default is None else f"default {default}"
+        typer.echo(f"    {option['name']}: {option['help']} ({shown})")
+    typer.echo(f"\n{law['text']}\n\n{law['citation']}\n")
+
+
+def _described(kind: str, law: Any) -> dict[str, Any]:
     module = inspect.getmodule(law)
     return {
         "name": law.name,
+        "kind": kind,
         "summary": getattr(law, "summary", inspect.getdoc(law) or "").split("\n")[0],
         "options": [_option(field) for field in dataclasses.fields(law)],
         "text": inspect.cleandoc((module and module.__doc__) or law.__doc__ or ""),

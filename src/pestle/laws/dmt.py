@@ -18,6 +18,7 @@ from math import pi, sqrt
 from typing import ClassVar, NamedTuple
 
 from pestle.laws._base import Geometry, Nothing, Pair, Response, register
+from pestle.laws._plot import Drawn
 
 
 class Constants(NamedTuple):
@@ -28,7 +29,7 @@ class Constants(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class DMT:
+class DMT(Drawn):
     """Elastic spheres with a constant attraction while they touch."""
 
     name: ClassVar[str] = "dmt"

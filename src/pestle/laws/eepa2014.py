@@ -27,6 +27,7 @@ from typing import ClassVar, NamedTuple
 
 from pestle.errors import InputError
 from pestle.laws._base import Geometry, Pair, Response, register
+from pestle.laws._plot import Drawn
 from pestle.reference.roots import cube_root
 
 
@@ -54,7 +55,7 @@ class State(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class EEPA2014:
+class EEPA2014(Drawn):
     """Elastic-plastic adhesive contacts for cohesive powders in bulk.
 
     Parameters

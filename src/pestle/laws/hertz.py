@@ -15,6 +15,7 @@ from math import sqrt
 from typing import ClassVar, NamedTuple
 
 from pestle.laws._base import Geometry, Nothing, Pair, Response, register
+from pestle.laws._plot import Drawn
 
 
 class Constants(NamedTuple):
@@ -24,7 +25,7 @@ class Constants(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Hertz:
+class Hertz(Drawn):
     """Elastic spheres without adhesion; with the engine's friction: Hertz-Mindlin."""
 
     name: ClassVar[str] = "hertz"

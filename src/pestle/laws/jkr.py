@@ -20,6 +20,7 @@ from dataclasses import dataclass
 from typing import ClassVar, NamedTuple
 
 from pestle.laws._base import Geometry, Pair, Response, register
+from pestle.laws._plot import Drawn
 from pestle.reference.jkr_contact import (
     contact_radius,
     energy_at,
@@ -43,7 +44,7 @@ class State(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class JKR:
+class JKR(Drawn):
     """Elastic spheres with adhesion, exact."""
 
     name: ClassVar[str] = "jkr"

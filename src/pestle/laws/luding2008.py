@@ -20,6 +20,7 @@ from typing import ClassVar, NamedTuple
 
 from pestle.errors import EnergyWarning, InputError
 from pestle.laws._base import Geometry, Pair, Response, register
+from pestle.laws._plot import Drawn
 
 
 class Constants(NamedTuple):
@@ -41,7 +42,7 @@ class State(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Luding2008:
+class Luding2008(Drawn):
     """Linear elastic-plastic adhesive contacts.
 
     Parameters

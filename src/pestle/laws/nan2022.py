@@ -32,6 +32,7 @@ from typing import ClassVar, NamedTuple
 
 from pestle.errors import EnergyWarning, InputError
 from pestle.laws._base import Geometry, Pair, Response, Solid, register
+from pestle.laws._plot import Drawn
 from pestle.reference import nan2022 as theory
 from pestle.reference.nan2022 import Contact, respond, stiffness_ratio
 from pestle.reference.nan2022 import contact as complete
@@ -62,7 +63,7 @@ class State(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Nan2022:
+class Nan2022(Drawn):
     """Linear elastic-plastic adhesive contacts with parameters from the material.
 
     Parameters

@@ -19,6 +19,7 @@ from typing import ClassVar, NamedTuple
 
 from pestle.errors import InputError
 from pestle.laws._base import Geometry, Pair, Response, register
+from pestle.laws._plot import Drawn
 from pestle.reference.pasha2014 import Full, full_line, full_yield_overlap
 
 
@@ -40,7 +41,7 @@ class State(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Pasha2014:
+class Pasha2014(Drawn):
     """Linear elastic-plastic adhesive contacts with given stiffnesses.
 
     Parameters

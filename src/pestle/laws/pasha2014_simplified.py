@@ -23,6 +23,7 @@ from typing import ClassVar, NamedTuple
 
 from pestle.errors import EnergyWarning, InputError
 from pestle.laws._base import Geometry, Pair, Response, register
+from pestle.laws._plot import Drawn
 from pestle.reference.pasha2014 import PARTING, Line, Simple, simple_line
 
 
@@ -46,7 +47,7 @@ class State(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Pasha2014Simplified:
+class Pasha2014Simplified(Drawn):
     """Linear plastic adhesive contacts without an elastic range.
 
     Parameters

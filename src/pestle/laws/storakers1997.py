@@ -23,6 +23,7 @@ from typing import ClassVar, NamedTuple
 
 from pestle.errors import InputError
 from pestle.laws._base import Geometry, Pair, Response, register
+from pestle.laws._plot import Drawn
 
 
 class Constants(NamedTuple):
@@ -41,7 +42,7 @@ class State(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Storakers1997:
+class Storakers1997(Drawn):
     """Power-law hardening spheres, elastic unloading.
 
     Parameters

@@ -21,6 +21,7 @@ from typing import ClassVar, NamedTuple
 
 from pestle.errors import InputError
 from pestle.laws._base import Geometry, Pair, Response, register
+from pestle.laws._plot import Drawn
 from pestle.reference.jkr_contact import (
     contact_radius,
     energy_at,
@@ -56,7 +57,7 @@ class State(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ThorntonNing1998:
+class ThorntonNing1998(Drawn):
     """JKR with a limiting pressure and plastic flattening.
 
     Parameters

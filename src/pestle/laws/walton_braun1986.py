@@ -18,6 +18,7 @@ from typing import ClassVar, NamedTuple
 
 from pestle.errors import InputError
 from pestle.laws._base import Geometry, Pair, Response, register
+from pestle.laws._plot import Drawn
 
 
 class Constants(NamedTuple):
@@ -36,7 +37,7 @@ class State(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class WaltonBraun1986:
+class WaltonBraun1986(Drawn):
     """Linear plastic loading, stiffer linear unloading.
 
     Parameters
