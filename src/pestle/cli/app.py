@@ -14,6 +14,7 @@ from pestle.cli.plan import plan
 from pestle.cli.report import report
 from pestle.cli.run import run
 from pestle.cli.schema import schema
+from pestle.cli.sweep import sweep
 
 app = typer.Typer(
     name="pestle",
@@ -23,7 +24,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 
-for _command in (run, plan, report, laws, materials, fit, cite, schema):
+for _command in (run, plan, report, sweep, laws, materials, fit, cite, schema):
     app.command()(_command)
 # these explain the law that they are given, so that they see --help themselves
 app.command(context_settings={"help_option_names": []})(bench)
