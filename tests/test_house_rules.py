@@ -12,7 +12,7 @@ import pestle
 
 ROOT = Path(__file__).parent.parent
 SOURCES = sorted((ROOT / "src").rglob("*.py")) + sorted((ROOT / "tests").rglob("*.py"))
-COMMANDS = ("run", "plan", "bench", "fit")
+COMMANDS = ("run", "plan", "bench", "fit", "reproduce")
 HEAVY = {"numba", "scipy", "matplotlib", "h5py", "pint", "trimesh"}
 
 

@@ -2,8 +2,8 @@
 
 import csv
 import warnings
+from importlib.resources import files
 from math import pi
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,7 +15,7 @@ from pestle.particle.configuration import CONFIGURATIONS, cell
 from pestle.particle.shahin2021_plastic import GAMMA, density_product
 from pestle.particle.shahin2021_radius import coefficients, relative_radius
 
-TABLE = Path(__file__).parents[1] / "data" / "shahin2021" / "table_a1.csv"
+TABLE = files("pestle.reproduce") / "shahin2021_table_a1.csv"
 ROWS = [
     (configuration, *map(float, numbers))
     for configuration, *numbers in list(csv.reader(TABLE.read_text().splitlines()))[1:]

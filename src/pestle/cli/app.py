@@ -6,12 +6,14 @@ import typer
 
 from pestle.cli.bench import bench
 from pestle.cli.cite import cite
+from pestle.cli.export import export
 from pestle.cli.fit import fit
 from pestle.cli.lab import lab
 from pestle.cli.laws import laws
 from pestle.cli.materials import materials
 from pestle.cli.plan import plan
 from pestle.cli.report import report
+from pestle.cli.reproduce import reproduce
 from pestle.cli.run import run
 from pestle.cli.schema import schema
 from pestle.cli.sweep import sweep
@@ -24,12 +26,15 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 
-for _command in (run, plan, report, sweep, laws, materials, fit, cite, schema):
+for _command in (
+    *(run, plan, report, sweep, laws, materials, fit, reproduce, cite, schema),
+):
     app.command()(_command)
 # these explain the law that they are given, so that they see --help themselves
 app.command(context_settings={"help_option_names": []})(bench)
 
 app.add_typer(lab, name="lab")
+app.add_typer(export, name="export")
 
 
 def _version(value: bool) -> None:
