@@ -74,6 +74,15 @@ def _svg(tex: str, node: nodes.Node) -> str:
     )
 
 
+def is_formula(tex: str) -> bool:
+    """Tell whether a formula can be set."""
+    try:
+        _set(tex)
+    except ValueError:
+        return False
+    return True
+
+
 @cache
 def _set(tex: str) -> tuple[float, float, float, str]:
     """Width, height, depth and outline of a formula; y points down in the outline."""

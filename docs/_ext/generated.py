@@ -11,7 +11,9 @@ import case_reference
 import command_reference
 import error_ids
 import example_list
+import law_cards
 import metric_reference
+import reproduced
 import result_columns
 from sphinx.application import Sphinx
 
@@ -20,15 +22,22 @@ PAGES = {
     "commands.md": command_reference.page,
     "errors.md": error_ids.page,
     "examples.md": example_list.page,
+    "laws.md": law_cards.overview,
     "metrics.md": metric_reference.page,
     "particles.md": result_columns.particles,
     "contacts.md": result_columns.contacts,
+    "reproduced.md": reproduced.page,
 }
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
     """Write the pages when the builder is ready."""
     app.connect("builder-inited", lambda app: write(Path(app.srcdir) / "_generated"))
+    app.connect(
+        "builder-inited",
+        lambda app: law_cards.write(Path(app.srcdir) / "laws" / "cards"),
+        priority=400,  # before the pages are looked for
+    )
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
 
