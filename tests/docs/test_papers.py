@@ -12,6 +12,7 @@ PAPERS = {
     "shahin2021": ("pestle.particle", "particle", "semimech"),
     "edmans2020": ("pestle.particle", "particle", "edmans"),
     "nan2022": ("pestle.reference", "reference", "nan"),
+    "zunker2024": ("pestle.reference", "reference", "mdr"),
 }
 
 
@@ -68,6 +69,19 @@ def test_every_equation_of_nan_2022_is_there():
         for first, last in re.findall(r"\((\d+)\)(?:-\((\d+)\))?", " ".join(cells[:2])):
             named |= set(range(int(first), int(last or first) + 1))
     assert named >= set(range(1, 82))
+
+
+def test_every_equation_of_zunker_2024_is_there():
+    text = (ROOT / "docs" / "papers" / "zunker2024.md").read_text(encoding="utf-8")
+    left = text.split("nothing is computed")[0].rpartition("\n\n")[2]
+    said = " ".join(row[0] for row in rows("zunker2024")) + left
+    plain = set()
+    for first, last in re.findall(r"\((\d+)\)(?:-\((\d+)\))?", said):
+        plain |= set(range(int(first), int(last or first) + 1))
+    assert plain == set(range(1, 50))
+    wanted = {f"A.{n}" for n in range(1, 37)} | {f"C.{n}" for n in range(1, 8)}
+    wanted |= {f"F.{n}" for n in range(1, 19)}
+    assert wanted - numbers(said) == set()
 
 
 def test_every_equation_of_the_thesis_is_there():
