@@ -66,6 +66,8 @@ STIFFNESSES = {
     },
 }
 """Options of pair laws that have no default, for their figures."""
+PEAKS = {"jkr": (0.0002,), "dmt": (0.0002,), "storakers1997": (0.005, 0.01, 0.02)}
+"""Overlaps over the radius at which pair laws unload, where the usual show little."""
 
 
 @cache
@@ -184,7 +186,8 @@ def figure(name: str) -> Any:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         if "pair" in kinds and "loading" not in kinds:
-            return kinds["pair"](**STIFFNESSES.get(name, {})).plot()
+            options = {"peaks": PEAKS[name]} if name in PEAKS else {}
+            return kinds["pair"](**STIFFNESSES.get(name, {})).plot(**options)
         whole = (
             name if name in ("zunker2024", "cylinders2020") else f"{name}+edmans2020"
         )
