@@ -3,6 +3,7 @@
 import pytest
 
 from laws.setups import LAWS
+from pestle.bench.figure import draw_pair_law
 from pestle.laws import Zunker2024
 
 
@@ -19,5 +20,5 @@ def test_a_pair_law_draws_itself(name):
 
 
 def test_mdr_is_drawn_as_its_particle():
-    figure = Zunker2024().plot(peaks=(0.1, 0.2))
+    figure = draw_pair_law(Zunker2024(), peaks=(0.1, 0.2))
     assert figure.axes[0].get_xlabel() == "displacement / radius [-]"
