@@ -33,10 +33,11 @@ class Side(NamedTuple):
     slope: float  # dF/d delta while loading, bulk included [N/m]
     elastic: float  # elastic depth of the indenter, A/2 [m]
     stored: float  # energy of the indenter [J]
-    worked: float  # given to the bulk response in this step [J]
+    sinking: float  # work of the indenter on the sinking surface [J]
     peak: float  # delta_max below the maximum, -1 at it [m]
     offset: float  # c_A, 0 before yield [m^2]
-    bulk: float  # delta_BULK [m]
+    push: float  # force of the bulk response [N]
+    cut: float  # area that the flat cuts from the sphere [m^2]
     area: float  # A_C [m^2]
     depth: float  # delta_max [m]
     at_peak: float  # 1 at the maximum
@@ -49,10 +50,12 @@ class Particle(NamedTuple):
     initial_radius: float  # R_o [m]
     volume: float  # elastic volume V = V_o (1 + eps) [m^3]
     free: float  # free-surface fraction psi [-]
-    bulk: float  # 1 while the bulk response is on
-    shift: float  # mean surface displacement to be used in the next step [m]
-    inside: float  # volume of the caps beyond the flats in the last step [m^3]
-    compress: float  # contact area over volume, A_con / V_geo [1/m]
+    onset: float  # volume beyond the flats at the onset of bulk response, else -1 [m^3]
+    sunk: float  # mean displacement of the surface in the bulk response [m]
+    sunk_before: float  # the same a step ago [m]
+    pressure: float  # of the bulk response [Pa]
+    pressure_before: float  # the same a step ago [Pa]
+    firmness: float  # rise of the pressure with the mean displacement [Pa/m]
     growth: float  # last growth of R [m]
     energy: float  # held by the bulk response, to which all contacts give [J]
 
@@ -65,9 +68,10 @@ class Sums(NamedTuple):
     flows: float  # 1 if a yielded contact moves inwards at its maximum
     excess: float  # contact area minus caps at the maximum, A' [m^2]
     area: float  # contact area [m^2]
-    cap_volume: float  # [m^3]
+    cut: float  # area cut from the sphere [m^2]
+    inside: float  # volume of the cap beyond the flat [m^3]
+    swept: float  # by how much it will grow if the flat moves on as it did [m^3]
     strain: float  # elastic volume strain [-]
-    inside: float  # volume of the cap beyond the flat, weighed [m^3]
     imbalance: float  # |F_i - F_j| [N]
     worked: float  # given to the bulk response in this step [J]
 
@@ -197,7 +201,6 @@ def side(
     flat_old: float,
     peak: float,
     offset: float,
-    bulk: float,
     adhered: float,
 ) -> Side:
     """Evaluate one side at a displacement of its flat.
@@ -212,19 +215,15 @@ def side(
         Apparent radius R [m].
     flat, flat_old : float
         Displacement delta_o of the flat now and before [m].
-    peak, offset, bulk, adhered : float
+    peak, offset, adhered : float
         State of the side, see `zunker2024.State`.
     """
     grown = radius - particle.initial_radius
     curvature = 1.0 / radius
     # delta_max of a side at its maximum grows with R [D7b], else it stays [D7]
-    before = flat_old + grown - bulk
+    before = flat_old + grown - particle.sunk_before
     reached = before if peak < 0.0 else peak
-    geometric = flat + grown  # delta, to the flat
-    bulk_before = bulk
-    if particle.bulk > 0.0 and geometric > 0.0:
-        bulk = max(bulk + particle.shift, 0.0)
-    d = geometric - bulk
+    d = flat + grown - particle.sunk
     at_peak = d >= reached
     depth = d if at_peak else reached
     if offset == 0.0 and at_peak and d > k.onset * radius:
@@ -285,26 +284,26 @@ def side(
         - 7.7 * pi * k.yield_stress * soft * widest2 * curvature
     )
     slope = max(hardens, 0.01 * stiffness) if yielded and at_peak else stiffness
-    opened = max(geometric, 0.0)
-    area = max(
-        pi * (2.0 * opened * radius - opened * opened) + offset
-        if yielded
-        else pi * opened * radius,
-        0.0,
-    )  # (42)
-    squeeze = k.bulk * area * particle.compress
+    # bulk response: a pressure on what the flat cuts from the sphere
+    opened = max(flat + grown, 0.0)
+    cut = pi * (2.0 * radius - opened) * opened
+    area = max(cut + offset if yielded else pi * opened * radius, 0.0)  # (42)
+    push = particle.pressure * cut
+    rim = 2.0 * pi * (radius - opened) if opened > 0.0 else 0.0
+    firm = particle.firmness * cut + particle.pressure * rim
+    mean = force - 0.5 * stiffness * (d - before)  # over the step
     return Side(
-        force + squeeze * bulk,
+        force + push,
         a,
-        stiffness + squeeze,
-        slope + squeeze,
+        stiffness + firm,
+        slope + firm,
         half,
         ease * stored,
-        force * (bulk - bulk_before)
-        + 0.5 * squeeze * (bulk + bulk_before) * (flat - flat_old),
+        mean * (particle.sunk - particle.sunk_before),
         -1.0 if at_peak else depth,
         offset,
-        bulk,
+        push,
+        cut,
         area,
         depth,
         1.0 if at_peak else 0.0,
@@ -319,6 +318,7 @@ def sums(
     radius: float,
     flat: float,
     flat_old: float,
+    moved: float,
     force: float,
     a: Side,
     imbalance: float,
@@ -328,22 +328,23 @@ def sums(
     grown = radius - first
     d = max(flat + grown, 0.0)
     step = flat - flat_old
-    active = a.radius > 0.0 or a.bulk > 0.0  # transmits force or adheres [D17]
+    active = a.radius + a.push > 0.0  # transmits force or adheres [D17]
     strain = -force * (first - flat) / (3.0 * k.bulk * particle.volume)  # (38) [D11]
     displaced = pi * step * (2.0 * flat * first - flat * flat + radius**2 - first**2)
     flows = a.at_peak > 0.0 and a.offset < 0.0 and step > 0.0
-    cap = pi * d * d * (radius - d * (1.0 / 3.0))
+    mean = 0.5 * (particle.pressure + particle.pressure_before)
     return Sums(
         g.weight * displaced if active else 0.0,
         g.weight * 2.0 * pi * radius * d if active else 0.0,
         1.0 if flows or k.always > 0.0 else 0.0,
-        g.weight * (a.area - 2.0 * pi * radius * max(a.depth + a.bulk, 0.0)),
+        g.weight * (a.area - 2.0 * pi * radius * max(a.depth + particle.sunk, 0.0)),
         g.weight * a.area,
-        cap,
+        g.weight * a.cut,
+        g.weight * pi * d * d * (radius - d * (1.0 / 3.0)),
+        g.weight * a.cut * moved,
         strain,
-        g.weight * cap,
         imbalance,
-        g.weight * a.worked,
+        g.weight * (a.sinking + mean * a.cut * step),
     )
 
 
@@ -358,16 +359,19 @@ def release(modulus: float, adhesion: float, radius: float) -> float:
 def update(
     c: tuple[float, float], radius: float, p: Particle, s: Sums
 ) -> tuple[float, Particle]:
-    """New apparent radius (37) and particle state from the sums of one step."""
+    """New apparent radius (37) and particle state from the sums of one step.
+
+    In the bulk response the volume x V_o that the flats press into a particle since
+    its onset can no longer flow to a free surface: it raises a pressure
+    p = kappa x / (1 - x) and sinks the surface by x V_o over the area of the flats.
+    """
     first = p.initial_radius
     whole = 4.0 / 3.0 * pi * first**3
     sphere = 4.0 * pi * radius * radius
-    hull = min(4.0 / 3.0 * pi * radius**3 - s.cap_volume, whole)
-    hull = max(hull, 0.25 * whole)
     strain = max(s.strain, -0.5)
     surface = sphere + s.excess
     free = (surface - s.area) / surface if surface > 0.0 else 0.0
-    bulk = free < c[1]
+    bulk = free < c[1] or (p.onset >= 0.0 and s.inside > p.onset)
     # (37); the open part of the sphere ends at 0: growth fades out below a tenth of it
     open_part = max(1.0 - s.caps / sphere, 0.0)
     fade = min(open_part * 10.0, 1.0)
@@ -377,17 +381,20 @@ def update(
         elastic = whole * (1.0 + strain) - p.volume  # -Delta V^e
         growth = max((s.volume + elastic) / (sphere * open_part), 0.0) * fade
         growth = min(growth, 1e-3 * first)
-    # mean displacement of the surface: a state's difference, so jitter does not add up
-    wide = max(s.area, 0.5 * s.caps)
-    shift = (s.inside - p.inside) / wide if wide > 0.0 else 0.0
+    onset = s.inside if p.onset < 0.0 else p.onset
+    pressed = max(s.inside + s.swept - onset, 0.0) if bulk else 0.0
+    x = min(pressed / whole, 0.9)
+    per_volume = c[0] / (whole * (1.0 - x))
     return radius + growth, Particle(
         first,
         whole * (1.0 + strain),
         free,
-        1.0 if bulk else 0.0,
-        shift if bulk else 0.0,
-        s.inside,
-        s.area / hull,
+        onset if bulk else -1.0,
+        pressed / s.cut if s.cut > 0.0 else 0.0,
+        p.sunk,
+        x * whole * per_volume,
+        p.pressure,
+        per_volume * s.cut if bulk else 0.0,
         growth,
         max(p.energy + s.worked, 0.0) if bulk or s.worked != 0.0 else 0.0,
     )

@@ -19,6 +19,7 @@ from pestle.errors import InputError
 from pestle.laws._base import Geometry, Pair, Response, Solid, register
 from pestle.laws._mdr import (
     Particle,
+    Side,
     SideConstants,
     Sums,
     hardening,
@@ -27,6 +28,7 @@ from pestle.laws._mdr import (
     sums,
     update,
 )
+from pestle.laws._plot import Drawn
 
 
 class Constants(NamedTuple):
@@ -59,14 +61,12 @@ class State(NamedTuple):
     peak_j: float
     offset_i: float  # c_A of a yielded side, 0 before [m^2]
     offset_j: float
-    bulk_i: float  # bulk displacement, delta_BULK [m]
-    bulk_j: float
     radius_i: float  # adhered contact radius [m]
     radius_j: float
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Zunker2024:
+class Zunker2024(Drawn):
     """Mechanically derived contact model (MDR) with adhesion, growth and bulk response.
 
     Parameters
@@ -133,7 +133,7 @@ class Zunker2024:
     def particle(self, radius: float) -> Particle:
         """State of an undeformed particle of a radius [m]."""
         volume = 4 / 3 * pi * radius**3
-        return Particle(radius, volume, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        return Particle(radius, volume, 1.0, -1.0, *7 * (0.0,))
 
 
 def _side(solid: Solid, pair: Pair) -> tuple[float, ...]:
@@ -189,6 +189,10 @@ def _second(k: Constants, part: float) -> SideConstants:
     )
 
 
+def _untouched(a: Side) -> bool:
+    return a.depth == 0.0 and a.offset == 0.0 and a.push == 0.0
+
+
 def contact(
     k: Constants, g: Geometry, s: State, pi_: Particle, pj: Particle
 ) -> tuple[Response, State, Sums, Sums]:
@@ -206,20 +210,16 @@ def contact(
     loading = approach >= 0.0
     # apart, the flat moves the same way forth and back: where it comes to lie does not
     # depend on how far apart a pair is still looked at
-    apart = s.radius_i + s.radius_j + s.bulk_i + s.bulk_j == 0.0
+    apart = s.radius_i + s.radius_j + pi_.pressure + pj.pressure == 0.0
     forth = loading or apart
     moved = first_share if fresh else (s.share if forth else s.share_back)
-    flat_i = old_i + moved * approach
-    flat_j = old_j + (1.0 - moved) * approach
-    a = side(
-        ki, pi_, g.radius_i, flat_i, old_i, s.peak_i, s.offset_i, s.bulk_i, s.radius_i
-    )
-    b = side(
-        kj, pj, g.radius_j, flat_j, old_j, s.peak_j, s.offset_j, s.bulk_j, s.radius_j
-    )
+    go_i, go_j = moved * approach, (1.0 - moved) * approach
+    flat_i, flat_j = old_i + go_i, old_j + go_j
+    a = side(ki, pi_, g.radius_i, flat_i, old_i, s.peak_i, s.offset_i, s.radius_i)
+    b = side(kj, pj, g.radius_j, flat_j, old_j, s.peak_j, s.offset_j, s.radius_j)
     # a flat that one side has left cannot be pulled by the other
-    open_i = a.radius + a.bulk == 0.0
-    open_j = b.radius + b.bulk == 0.0
+    open_i = a.radius + a.push == 0.0
+    open_j = b.radius + b.push == 0.0
     broken = a.parted + b.parted > 0.0 or open_i or open_j
     force_i = max(a.force, 0.0) if broken else a.force
     force_j = max(b.force, 0.0) if broken else b.force
@@ -239,25 +239,34 @@ def contact(
     way = gives_j / gives if held else 0.5
     force = way * force_i + (1.0 - way) * force_j
     most = abs(approach) + 0.02 * min(a.elastic, b.elastic)
-    shift = 0.5 * (force_j - force_i) / gives if held else 0.0
-    shift = min(max(shift, -most), most)
+    away = (force_j - force_i) / gives if held else 0.0
+    # a side that flows is far softer one way: the whole way at once, else half of it
+    relax = 1.0 if loading and a.at_peak + b.at_peak > 0.0 else 0.5
+    shift = min(max(relax * away, -most), most)
     # never touched: the flat is placed anew in the next step
-    virgin = a.depth + b.depth == 0.0 and a.offset + b.offset == 0.0
+    virgin = _untouched(a) and _untouched(b)
     weighed = g.weight * force
     uneven = abs(force_i - force_j)
-    sums_i = sums(ki, pi_, g, g.radius_i, flat_i + shift, old_i, weighed, a, uneven)
-    sums_j = sums(kj, pj, g, g.radius_j, flat_j - shift, old_j, weighed, b, uneven)
+    sums_i = sums(
+        ki, pi_, g, g.radius_i, flat_i + shift, old_i, go_i, weighed, a, uneven
+    )
+    sums_j = sums(
+        kj, pj, g, g.radius_j, flat_j - shift, old_j, go_j, weighed, b, uneven
+    )
     stiffness = a.stiffness * b.stiffness / back if held else 0.0
+    # energy at the even flat; what a side holds that the other has left is lost
+    stored = a.stored + b.stored - 0.5 * away * (force_j - force_i)
+    stored = max(stored, 0.0) if force != 0.0 else 0.0
     return (
         Response(
             weighed,
             0.5 * (a.radius + b.radius),
             g.weight * stiffness,
-            g.weight * (a.stored + b.stored),
+            g.weight * stored,
             1.0,
         ),
         State(
-            0.0 if virgin else max(share, 1e-9),
+            0.0 if virgin else min(max(share, 1e-9), 1.0 - 1e-9),
             share_back,
             flat_i + shift,
             flat_j - shift,
@@ -265,8 +274,6 @@ def contact(
             b.peak,
             a.offset,
             b.offset,
-            a.bulk,
-            b.bulk,
             0.0 if open_j or (broken and force_i <= 0.0) else a.radius,
             0.0 if open_i or (broken and force_j <= 0.0) else b.radius,
         ),
@@ -283,20 +290,18 @@ def wall(
     grown = g.radius_i - p.initial_radius
     old = -grown if s.share == 0.0 else s.flat_i
     flat = g.overlap - grown
-    a = side(ki, p, g.radius_i, flat, old, s.peak_i, s.offset_i, s.bulk_i, s.radius_i)
-    added = sums(ki, p, g, g.radius_i, flat, old, a.force, a, 0.0)
+    a = side(ki, p, g.radius_i, flat, old, s.peak_i, s.offset_i, s.radius_i)
+    added = sums(ki, p, g, g.radius_i, flat, old, flat - old, a.force, a, 0.0)
     return (
         Response(a.force, a.radius, a.stiffness, a.stored, 1.0),
         State(
-            0.0 if a.depth == 0.0 and a.offset == 0.0 else 1.0,
+            0.0 if _untouched(a) else 1.0,
             1.0,
             flat,
             0.0,
             a.peak,
             0.0,
             a.offset,
-            0.0,
-            a.bulk,
             0.0,
             a.radius,
             0.0,
