@@ -108,13 +108,7 @@ def coverage(name, trials):
     return hits
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
-        pytest.param(name, marks=[pytest.mark.slow] if name == "zunker2024" else [])
-        for name in LAWS
-    ],
-)
+@pytest.mark.parametrize("name", LAWS)
 def test_intervals_hold_the_truth_as_often_as_they_say(name):
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RangeWarning)
