@@ -34,6 +34,7 @@ class DMT(Drawn):
 
     name: ClassVar[str] = "dmt"
     summary: ClassVar[str] = "elastic spheres with a constant attraction (DMT)"
+    validity: ClassVar[str] = "elastic; Tabor's number well below 1"
     citation: ClassVar[str] = (
         "@article{derjaguin1975, author={Derjaguin, B. V. and Muller, V. M. and "
         "Toporov, Yu. P.}, title={Effect of contact deformations on the adhesion of "

@@ -85,6 +85,7 @@ class EEPA2014(Drawn):
 
     name: ClassVar[str] = "eepa2014"
     summary: ClassVar[str] = "Edinburgh elastic-plastic adhesive law (EEPA)"
+    validity: ClassVar[str] = "a rule: parameters are calibrated"
     citation: ClassVar[str] = (
         "@article{thakur2014, author={Thakur, Subhash C. and Morrissey, John P. and "
         "Sun, Jin and Chen, J. F. and Ooi, Jin Y.}, title={Micromechanical analysis "

@@ -30,6 +30,7 @@ class Hertz(Drawn):
 
     name: ClassVar[str] = "hertz"
     summary: ClassVar[str] = "elastic spheres; with friction: Hertz-Mindlin"
+    validity: ClassVar[str] = "contact radius small against R*, nothing yields"
     citation: ClassVar[str] = (
         "@article{hertz1881, author={Hertz, Heinrich}, "
         "title={Ueber die Beruehrung fester elastischer Koerper}, "

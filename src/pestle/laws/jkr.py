@@ -49,6 +49,7 @@ class JKR(Drawn):
 
     name: ClassVar[str] = "jkr"
     summary: ClassVar[str] = "elastic spheres with adhesion (JKR), exact"
+    validity: ClassVar[str] = "elastic; Tabor's number well above 1"
     citation: ClassVar[str] = (
         "@article{johnson1971, author={Johnson, K. L. and Kendall, K. and Roberts, A. "
         "D.}, title={Surface energy and the contact of elastic solids}, "

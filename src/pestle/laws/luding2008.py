@@ -77,6 +77,7 @@ class Luding2008(Drawn):
 
     name: ClassVar[str] = "luding2008"
     summary: ClassVar[str] = "linear elastic-plastic, adhesion grows with plasticity"
+    validity: ClassVar[str] = "a rule: stiffnesses are calibrated"
     linear: ClassVar[bool] = True
     citation: ClassVar[str] = (
         "@article{luding2008, author={Luding, Stefan}, title={Cohesive, frictional "

@@ -104,6 +104,9 @@ class Nan2022(Drawn):
 
     name: ClassVar[str] = "nan2022"
     summary: ClassVar[str] = "linear elastic-plastic adhesive, all from material data"
+    validity: ClassVar[str] = (
+        "overlaps small against R*; cohesion-yield number above 0.00115"
+    )
     linear: ClassVar[bool] = True
     requires: ClassVar[tuple[str, ...]] = ("yield_stress",)
     citation: ClassVar[str] = (

@@ -64,6 +64,7 @@ class Pasha2014(Drawn):
 
     name: ClassVar[str] = "pasha2014"
     summary: ClassVar[str] = "linear elastic-plastic adhesive, stiffnesses given"
+    validity: ClassVar[str] = "a rule: stiffnesses are calibrated"
     linear: ClassVar[bool] = True
     citation: ClassVar[str] = (
         "@article{pasha2014, author={Pasha, M. and Dogbe, S. and Hare, C. and "

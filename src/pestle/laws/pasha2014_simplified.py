@@ -84,6 +84,7 @@ class Pasha2014Simplified(Drawn):
 
     name: ClassVar[str] = "pasha2014_simplified"
     summary: ClassVar[str] = "linear plastic adhesive without an elastic range"
+    validity: ClassVar[str] = "a rule: stiffnesses are calibrated"
     linear: ClassVar[bool] = True
     citation: ClassVar[str] = (
         "@article{pasha2014, author={Pasha, M. and Dogbe, S. and Hare, C. and "

@@ -57,6 +57,9 @@ class Storakers1997(Drawn):
 
     name: ClassVar[str] = "storakers1997"
     summary: ClassVar[str] = "similarity law (Biwa) with power-law hardening"
+    validity: ClassVar[str] = (
+        "small strain, x up to about 0.03; contacts independent of each other"
+    )
     requires: ClassVar[tuple[str, ...]] = ("yield_stress",)
     citation: ClassVar[str] = (
         "@article{storakers1997, author={Stor{\\aa}kers, B. and Biwa, S. and Larsson, "

@@ -74,6 +74,9 @@ class ThorntonNing1998(Drawn):
 
     name: ClassVar[str] = "thornton_ning1998"
     summary: ClassVar[str] = "JKR with yield and plastic flattening, non-linear"
+    validity: ClassVar[str] = (
+        "small overlaps; the overlap of a loading contact stays JKR's"
+    )
     requires: ClassVar[tuple[str, ...]] = ("yield_stress",)
     citation: ClassVar[str] = (
         "@article{thornton1998, author={Thornton, Colin and Ning, Zemin}, title={A "

@@ -64,6 +64,7 @@ class WaltonBraun1986(Drawn):
 
     name: ClassVar[str] = "walton_braun1986"
     summary: ClassVar[str] = "linear plastic loading, stiffer unloading; no adhesion"
+    validity: ClassVar[str] = "a rule: stiffnesses are calibrated"
     linear: ClassVar[bool] = True
     citation: ClassVar[str] = (
         "@article{walton1986, author={Walton, Otis R. and Braun, Robert L.}, "
