@@ -111,6 +111,8 @@ def _outline(points: Any, codes: Any, scale: float) -> str:
 
 def braced(tex: str) -> str:
     r"""Write out what TeX allows to leave away: ``\tfrac43`` as ``\frac{4}{3}``."""
+    tex = re.sub(r"\\[bB]igg?(?![A-Za-z])", "", tex)  # sizes are not known there
+    tex = re.sub(r"\\mathrel\{([^{}]*)\}", r"{\1}", tex)
     tex = re.sub(r"\\([A-Za-z]+)", lambda match: _OTHER.get(match[1], match[0]), tex)
     tex = tex.replace("^*", "^{*}")  # without the space around an operator
     for name, arguments in _ARGUMENTS.items():

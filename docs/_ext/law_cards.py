@@ -324,8 +324,6 @@ def formula(tex: str) -> str:
         number = re.search(r"\\tag\{([^}]*)\}", line)
         clean = re.sub(r"\\tag\{[^}]*\}", "", line)
         clean = " ".join(clean.replace("&", " ").split()).rstrip(",")
-        for sized in (r"\Big", r"\big"):
-            clean = clean.replace(sized, "")
         clean = re.sub(r"\\,|\\;", r"\\ ", clean)
         label = rf"\quad \mathrm{{({number[1]})}}" if number else ""
         label = label.replace(" ", r"\ ").replace(r"\quad\ ", r"\quad ")
