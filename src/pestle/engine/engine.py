@@ -6,11 +6,13 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from pestle.engine import neighbours as nb
+from pestle.engine import lists
 from pestle.engine import scratch as ct
 from pestle.engine import step as st
+from pestle.engine import wall_lists as ls
 from pestle.engine import walls as wl
-from pestle.engine.screening import triples
+from pestle.engine.mesh import Surface, pack
+from pestle.errors import InputError
 from pestle.laws._base import Geometry, Nothing, Pair, Parts, Solid, parts_of
 
 Array = npt.NDArray[Any]
@@ -45,6 +47,13 @@ SAVED = (
     "sums",
     "report",
     "wref",
+    "body",
+    "motion",
+    "turns",
+    "gap",
+    "slot",
+    "mfirst",
+    "mlisted",
 )
 
 
@@ -85,6 +94,12 @@ class Engine:
     rebuilds: int = 0
     since_rebuild: int = 0
     lost_contacts: int = 0
+    # what `lists.divide` sets
+    chunks: Array = field(init=False)
+    pairs: Array = field(init=False)
+    offset: Array = field(init=False)
+    buf: Array = field(init=False)
+    ledger: Array = field(init=False)
 
     def __post_init__(self) -> None:
         """Prepare the table of pairs and empty arrays."""
@@ -167,6 +182,9 @@ class Engine:
         self.wfirst = np.zeros(n + 1, np.int64)
         self.wp = self.ww = np.empty(0, np.int32)
         self.whist, self.wflag = self.hist.copy(), self.flag.copy()
+        self.gap = np.empty((0, ls.GAP))
+        self.slot = self.mlisted = np.empty(0, np.int64)
+        self.mfirst = np.zeros(1, np.int64)
         self.skin = self.skin or 0.2 * float(np.mean(radius))
         self.clock[st.DT_MAX] = self.clock[st.DT_MAX] or self.longest_step()
         self.clock[st.DT] = self.clock[st.DT] or self.clock[st.DT_MAX]
@@ -184,14 +202,42 @@ class Engine:
                 best = min(best, float(np.min(np.sqrt(self.vel[mine, 3] / stiffness))))
         return self.safety * best
 
-    def set_walls(self, wall: list[Any], drive: list[Any]) -> None:
-        """Set all walls: rows of the `wall` and `move` arrays of `engine.walls`."""
+    def set_walls(
+        self,
+        wall: list[Any],
+        drive: list[Any],
+        surfaces: dict[int, Surface] | None = None,
+    ) -> None:
+        """Set all walls: rows of the `wall` and `move` arrays of `engine.walls`.
+
+        `surfaces` has the meshes of those of that kind.
+        """
+        surfaces = surfaces or {}
         self.wall = np.array(wall, float).reshape(len(wall), wl.WALL)
         self.move = np.array(drive, float).reshape(len(drive), wl.MOVE)
-        self.total = np.zeros((len(wall), wl.TOTALS))
+        self.total = np.zeros((len(wall), wl.TOTALS + 1))
         self.program = np.zeros((len(wall), 2, 2))
         self.lengths = np.zeros(len(wall), np.int64)
         self.wref = self.move[:, wl.DISPLACEMENT].copy()
+        self.mesh = pack(surfaces, len(wall))
+        self.body = np.zeros((len(wall), wl.BODY))
+        for w, surface in surfaces.items():
+            self.body[w] = wl.identity(surface.extent)
+        self.motion = np.zeros((len(wall), 2, 7))
+        self.turns = np.zeros(len(wall), np.int64)
+
+    def set_motion(self, w: int, times: Array, velocity: Array, spin: Array) -> None:
+        """Let a mesh follow a motion from now on, besides its drive.
+
+        Times [s] from zero, velocities (n, 3) [m/s] and angular velocities (n, 3)
+        [rad/s], linear in between.
+        """
+        longest = max(len(times), self.motion.shape[1])
+        grown = np.zeros((len(self.wall), longest, 7))
+        grown[:, : self.motion.shape[1]] = self.motion
+        grown[w, : len(times)] = np.column_stack([times, velocity, spin])
+        self.motion, self.turns[w] = grown, len(times)
+        self.body[w, wl.BEGIN] = self.clock[st.TIME]
 
     def set_program(self, w: int, times: Array, speeds: Array) -> None:
         """Let a wall follow a piecewise linear velocity from now on [s], [m/s]."""
@@ -210,7 +256,7 @@ class Engine:
 
     def stop_wall(self, w: int) -> None:
         """Let a wall stand still."""
-        self.move[w, wl.MODE] = wl.FIXED
+        self.move[w, wl.MODE], self.turns[w] = wl.FIXED, 0
 
     # ------------------------------------------------------------------ lists
 
@@ -229,87 +275,15 @@ class Engine:
 
     def rebuild(self) -> None:
         """Sort the particles, list all pairs within reach and skin, carry histories."""
-        if self.rebuilds:
-            if self.since_rebuild > 400:
-                self.skin *= 0.85
-            elif self.since_rebuild < 40:
-                self.skin *= 1.3
-            mean = float(np.mean(self.pos[:, 3]))
-            self.skin = min(max(self.skin, 0.02 * mean), 0.8 * mean)
-        images = self.box[1] > 0.0
-        lengths, origin = self.box[0], self.box[3]
-        for c in np.flatnonzero(images):
-            x = self.pos[:, c] - origin[c]
-            self.pos[:, c] = origin[c] + x - lengths[c] * np.floor(x / lengths[c])
-        reach = self.skin + self.cut()
-        cell, low, count = self._grid(2.0 * float(self.pos[:, 3].max()) + reach, images)
-        order, start = nb.cell_order(self.pos, low, cell, count)
-        for name in ("pos", "vel", "mat", "ids", "field"):
-            setattr(self, name, np.ascontiguousarray(getattr(self, name)[order]))
-        wrap = images & (count >= 3)
-        old = self.first, self.pa, self.pb, self.hist, self.flag, self.weight
-        old_walls = self.wfirst, self.ww, self.whist, self.wflag
-        self.first, self.pa, self.pb = nb.pair_list(
-            self.pos, self.ids, low, cell, count, start, wrap, images, lengths, reach
-        )
-        pairs = len(self.pa)
-        self.hist = np.zeros((pairs, self.layout.history))
-        self.flag = np.zeros(pairs, np.uint8)
-        self.weight, self.dist = np.ones(pairs), np.full(pairs, -1.0)
-        self.lost_contacts += nb.carry_pairs(
-            order, *old, self.first, self.pa, self.pb, self.hist, self.flag, self.weight
-        )
-        self.wfirst = np.empty(len(self.pos) + 1, np.int64)
-        none = np.empty(0, np.int32)
-        total = nb.wall_list(self.pos, self.wall, reach, none, none, self.wfirst)
-        self.wp, self.ww = np.empty(total, np.int32), np.empty(total, np.int32)
-        nb.wall_list(self.pos, self.wall, reach, self.wp, self.ww, self.wfirst)
-        self.whist = np.zeros((total, self.layout.history))
-        self.wflag = np.zeros(total, np.uint8)
-        nb.carry_walls(order, *old_walls, self.wfirst, self.ww, self.whist, self.wflag)
-        self.ref = self.pos.copy()
-        self.wref = self.move[:, wl.DISPLACEMENT].copy()
-        self.rebuilds += 1
-        self.since_rebuild = 0
-        self.divide()
+        lists.rebuild(self)
 
-    def _grid(self, size: float, images: Array) -> tuple[Array, Array, Array]:
-        low = self.pos[:, :3].min(axis=0)
-        span = self.pos[:, :3].max(axis=0) - low
-        low = np.where(images, self.box[3], low)
-        span = np.where(images, self.box[0], span + 1e-12 * size)
-        count = np.maximum(np.floor(span / size), 1).astype(np.int64)
-        while np.prod(count.astype(float)) > 4.0 * len(self.pos) + 1000.0:
-            size *= 1.26
-            count = np.maximum(np.floor(span / size), 1).astype(np.int64)
-        count[images & (count < 3)] = 1
-        return span / count, low, count
+    def keep(self, wanted: Array) -> None:
+        """Take all particles away but the wanted ones (N,); `start` the ledger anew."""
+        lists.rebuild(self, wanted)
 
     def divide(self) -> None:
         """Set chunks, buffers and candidate triples from the lists: no state of its own."""
-        n = len(self.pos)
-        number = 8 if n <= 20_000 else 16
-        self.chunks = np.array([n * c // number for c in range(number + 1)], np.int64)
-        self.pairs = self.first[self.chunks]
-        self.wpairs = self.wfirst[self.chunks]
-        self.last = self.chunks[1:].copy()
-        for c in range(number):
-            lo, hi = self.pairs[c], self.pairs[c + 1]
-            if hi > lo:
-                top = max(int(self.pa[lo:hi].max()), int(self.pb[lo:hi].max())) + 1
-                self.last[c] = max(self.last[c], top)
-        sizes = self.last - self.chunks[:-1]
-        self.offset = np.concatenate([[0], np.cumsum(sizes)[:-1]]).astype(np.int64)
-        self.buf = np.zeros((int(sizes.sum()), self.layout.columns))
-        if not hasattr(self, "scratch") or len(self.scratch) != number:
-            self.scratch = np.zeros((number, self.layout.rows * ct.W + 64))
-            self.listed = np.zeros((number, ct.W), np.int64)
-            self.ledger = np.zeros((number, ct.LEDGER))
-        self.wtotal = np.zeros((number, len(self.wall), wl.TOTALS))
-        if self.parts.screened:
-            self.tri, self.sides = triples(self.first, self.pa, self.pb, self.chunks)
-        else:
-            self.tri, self.sides = np.zeros(1, np.int64), np.zeros((0, 3), np.int32)
+        lists.divide(self)
 
     # ------------------------------------------------------------------ running
 
@@ -320,6 +294,7 @@ class Engine:
             self.particle_solids == 1,
             self.rolling,
             bool((self.box[1] > 0.0).any()),
+            bool((self.wall[:, wl.KIND] == wl.MESH).any()),
             self._zeros(),
         )
         cut = self.cut()
@@ -332,7 +307,9 @@ class Engine:
                 self.table, len(self.solids), self.wall, self.move, self.total, self.program,
                 self.lengths, self.box, self.chunks, self.pairs, self.wpairs, self.last,
                 self.offset, self.buf, self.scratch, self.listed, self.ledger, self.wtotal,
-                self.report, self.wref, self.skin, cut,
+                self.report, self.wref, self.skin, cut, self.body, self.motion, self.turns,
+                self.mesh, self.gap, self.slot, self.mfirst, self.mlisted, self.mpairs,
+                self.cand, self.chosen,
             )  # fmt: skip
             self.since_rebuild += done
             steps -= done
@@ -347,8 +324,7 @@ class Engine:
         """Evaluate the contacts that exist at the start, and begin the ledger there."""
         step, self.clock[st.DT] = float(self.clock[st.DT]), 0.0
         longest, self.clock[st.DT_MAX] = float(self.clock[st.DT_MAX]), 0.0
-        before = self.condition
-        self.condition = np.zeros((0, 3))
+        before, self.condition = self.condition, np.zeros((0, 3))
         self.advance(1)
         self.condition = before
         self.clock[st.DT], self.clock[st.DT_MAX] = step, longest
@@ -357,6 +333,7 @@ class Engine:
         stored = self.sums[st.STORED]
         self.sums[:] = 0.0
         self.sums[st.STORED] = stored
+        self.total[:, wl.WORK] = 0.0
 
     @property
     def steps(self) -> int:
@@ -382,6 +359,14 @@ class Engine:
 
     def restore(self, state: dict[str, Array]) -> None:
         """Take over a checkpoint of the same set-up."""
+        kept = state["hist"].shape[1], state["field"].shape[1]
+        if kept != (self.layout.history, max(self.layout.fields, 1)):
+            raise InputError(
+                "checkpoint-version",
+                "the checkpoint was written by a version of pestle whose "
+                f"{self.law.name!r} remembers other quantities",
+                hint="use the version that wrote it, or run anew",
+            )
         for name in SAVED:
             setattr(self, name, np.array(state[name]))
         self.rebuilds, self.since_rebuild, self.lost_contacts = map(

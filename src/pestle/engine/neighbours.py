@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 
 from pestle import _jit
-from pestle.engine.walls import towards_wall
 
 
 @_jit.njit
@@ -163,49 +162,3 @@ def carry_pairs(
     for o in range(old_flag.shape[0]):
         held += old_flag[o] & 1
     return held - kept
-
-
-@_jit.njit
-def wall_list(pos: Any, wall: Any, skin: float, wp: Any, ww: Any, first: Any) -> int:
-    """Fill the list of particles near walls, by particle; empty `wp`: only count."""
-    total = 0
-    fill = wp.shape[0] > 0
-    for i in range(pos.shape[0]):
-        first[i] = total
-        for w in range(wall.shape[0]):
-            if wall[w, 10] == 0.0:
-                continue
-            x, y, z = towards_wall(pos[i, 0], pos[i, 1], pos[i, 2], wall, w)
-            r = pos[i, 3] + skin
-            if x * x + y * y + z * z < r * r:
-                if fill:
-                    wp[total] = i
-                    ww[total] = w
-                total += 1
-    first[pos.shape[0]] = total
-    return total
-
-
-@_jit.njit
-def carry_walls(
-    order: Any,
-    old_first: Any,
-    old_w: Any,
-    old_hist: Any,
-    old_flag: Any,
-    first: Any,
-    ww: Any,
-    hist: Any,
-    flag: Any,
-) -> None:
-    """Copy the histories of wall contacts to the new list."""
-    for i in range(first.shape[0] - 1):
-        a = order[i]
-        for s in range(first[i], first[i + 1]):
-            for o in range(old_first[a], old_first[a + 1]):
-                if old_w[o] == ww[s]:
-                    flag[s] = old_flag[o]
-                    if old_flag[o] != 0:
-                        for q in range(hist.shape[1]):
-                            hist[s, q] = old_hist[o, q]
-                    break

@@ -11,7 +11,6 @@ import numpy as np
 from pestle import _jit
 from pestle.engine.contacts import make_batch
 from pestle.engine.scratch import (
-    BEFORE,
     BLOCK,
     BOX_NEXT,
     BOX_NOW,
@@ -39,7 +38,6 @@ from pestle.engine.scratch import (
     Layout,
     W,
 )
-from pestle.engine.walls import towards_wall
 from pestle.laws._base import Nothing, Parts
 
 
@@ -209,118 +207,6 @@ def make_pair_chunk(
                     buf[b, COLUMNS + v] += S[(sum_row + sums + v) * W + c]
             ledger[BOX_NOW] += worked
             ledger[BOX_NEXT] += pushed
-            tally(S, m, ledger_row, out + 11, ledger, listed)
-
-    return _jit.njit(chunk)
-
-
-def make_wall_chunk(
-    law: Parts, layout: Layout, *, rolling: bool, zeros: tuple[int, ...]
-) -> Any:
-    """Build the contact pass of one chunk's particles against the walls."""
-    batch = make_batch(
-        law, layout, is_wall=True, uniform=False, rolling=rolling, zeros=zeros
-    )
-    tally = make_tally()
-    history, fields, sums = layout.history, layout.fields, layout.sums
-    field_row, sum_row, out = layout.field_row, layout.sum_row, layout.out
-    ledger_row = layout.ledger_row
-    keeps = law.particle is not Nothing
-
-    def chunk(
-        pos: Any,
-        vel: Any,
-        mat: Any,
-        field: Any,
-        wp: Any,
-        ww: Any,
-        hist: Any,
-        flag: Any,
-        table: Any,
-        materials: int,
-        wall: Any,
-        move: Any,
-        total: Any,
-        buf: Any,
-        S: Any,
-        listed: Any,
-        k0: int,
-        k1: int,
-        shift: int,
-        dt: float,
-        cut: float,
-        ledger: Any,
-    ) -> None:
-        U = np.uint64
-        total[:, :] = 0.0
-        k = k0
-        while k < k1:
-            m = 0
-            stop = min(k1, k + BLOCK)
-            for n in range(k, stop):
-                s = U(n)
-                a, w = U(wp[s]), U(ww[s])
-                dx, dy, dz = towards_wall(pos[a, 0], pos[a, 1], pos[a, 2], wall, w)
-                r = pos[a, 3] + cut
-                d2 = dx * dx + dy * dy + dz * dz
-                near = (d2 < r * r) & (wall[w, 10] > 0.0)
-                listed[m] = n
-                S[m], S[W + m], S[2 * W + m], S[D2 * W + m] = dx, dy, dz, d2
-                m += near | ((flag[s] & 1) != 0)
-            k = stop
-            for c in range(m):
-                s = U(listed[c])
-                a, w = U(wp[s]), U(ww[s])
-                ra = pos[a, 3]
-                S[RA * W + c], S[RB * W + c], S[MASS * W + c] = ra, 0.0, vel[a, 3]
-                for v in range(3):
-                    S[(VX + v) * W + c] = vel[a, v] - move[w, v] * move[w, 5]
-                    S[(OX + v) * W + c] = ra * vel[a, 4 + v]
-                    S[(WX + v) * W + c] = vel[a, 4 + v]
-                S[KIND * W + c] = np.float64(mat[a] * materials) + wall[w, 11]
-                dx, dy, dz = towards_wall(  # a step ago, as seen from the wall
-                    pos[a, 0] - dt * S[VX * W + c],
-                    pos[a, 1] - dt * S[(VX + 1) * W + c],
-                    pos[a, 2] - dt * S[(VX + 2) * W + c],
-                    wall,
-                    w,
-                )
-                S[BEFORE * W + c] = dx * dx + dy * dy + dz * dz
-                if flag[s] != 0:
-                    for q in range(history):
-                        S[(H0 + q) * W + c] = hist[s, q]
-                else:
-                    for q in range(history):
-                        S[(H0 + q) * W + c] = 0.0
-                if wall[w, 10] == 0.0:  # taken away: the contact ends here
-                    S[D2 * W + c] = 4.0 * (ra + cut) * (ra + cut) + 1e-300
-                    S[BEFORE * W + c] = S[D2 * W + c]  # no work is done on it
-                for q in range(fields):
-                    S[(field_row + q) * W + c] = field[a, q]
-                    S[(field_row + fields + q) * W + c] = field[a, q]
-            batch(S, m, table, dt)
-            for c in range(m):
-                s = U(listed[c])
-                w = U(ww[s])
-                r = S[RA * W + c] + cut
-                near = S[D2 * W + c] < r * r
-                flag[s] = 3 if near else (2 if keeps else 0)
-                for q in range(history):
-                    hist[s, q] = S[(H0 + q) * W + c]
-                a = U(np.int64(wp[s]) + shift)
-                arm = S[RA * W + c] * S[(out + 9) * W + c]
-                for v in range(3):
-                    f = S[(out + v) * W + c]
-                    buf[a, v] += f
-                    buf[a, 3 + v] += (
-                        S[(out + 6 + v) * W + c] - arm * S[(out + 3 + v) * W + c]
-                    )
-                    total[w, v] += f
-                total[w, 3] += S[(H0 + 4) * W + c]
-                total[w, 4] += S[(out + 10) * W + c]
-                buf[a, STIFF] += S[(out + 10) * W + c]
-                for v in range(sums):
-                    buf[a, COLUMNS + v] += S[(sum_row + v) * W + c]
             tally(S, m, ledger_row, out + 11, ledger, listed)
 
     return _jit.njit(chunk)

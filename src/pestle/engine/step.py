@@ -15,10 +15,12 @@ from numba import prange
 
 from pestle import _jit
 from pestle.engine import scratch as ct
+from pestle.engine.mesh_pass import gather_contacts
 from pestle.engine.motion import gather_forces, make_move_chunk
-from pestle.engine.passes import make_pair_chunk, make_wall_chunk
+from pestle.engine.passes import make_pair_chunk
 from pestle.engine.screening import weigh
-from pestle.engine.walls import drive_walls
+from pestle.engine.wall_pass import make_wall_chunk
+from pestle.engine.walls import TOTALS, WORK, drive_walls, wall_path, wall_power
 from pestle.laws._base import Parts
 
 # why `advance` came back
@@ -55,6 +57,7 @@ def compiled(
     uniform: bool,
     rolling: bool,
     periodic: bool,
+    meshed: bool,
     zeros: tuple[tuple[int, ...], tuple[int, ...]] = ((), ()),
 ) -> Callable[..., Any]:
     """Return `advance`, compiled for a law; kept on disk between processes.
@@ -63,8 +66,8 @@ def compiled(
     ----------
     law : Parts
         Parts of the law.
-    uniform, rolling, periodic : bool
-        All particles of one material; rolling friction; periodic box.
+    uniform, rolling, periodic, meshed : bool
+        All particles of one material; rolling friction; periodic box; walls of mesh.
     zeros : tuple
         Which of the law's constants are 0 for all pairs of particles, and of
         particles with walls: no code is made for them.
@@ -78,7 +81,9 @@ def compiled(
         periodic=periodic,
         zeros=zeros[0],
     )
-    wall_chunk = make_wall_chunk(law, layout, rolling=rolling, zeros=zeros[1])
+    wall_chunk = make_wall_chunk(
+        law, layout, rolling=rolling, meshed=meshed, zeros=zeros[1]
+    )
     move_chunk = make_move_chunk(law, layout)
     screened = law.screened
 
@@ -90,7 +95,8 @@ def compiled(
         table: Any, materials: int, wall: Any, move: Any, total: Any, program: Any, lengths: Any,
         box: Any, chunks: Any, pairs: Any, wpairs: Any, last: Any, offset: Any, buf: Any,
         scratch: Any, listed: Any, ledger: Any, wtotal: Any, report: Any,
-        wref: Any, skin: float, cut: float,
+        wref: Any, skin: float, cut: float, body: Any, motion: Any, turns: Any, mesh: Any,
+        gap: Any, slot: Any, mfirst: Any, mlisted: Any, mpairs: Any, cand: Any, chosen: Any,
     ) -> tuple[int, int]:  # fmt: skip
         number = chunks.shape[0] - 1
         walls = wall.shape[0]
@@ -126,6 +132,27 @@ def compiled(
                     box,
                     ledger[c],
                 )
+                if meshed:
+                    gather_contacts(
+                        pos,
+                        vel,
+                        wall,
+                        body,
+                        mesh,
+                        wp,
+                        ww,
+                        wflag,
+                        gap,
+                        slot,
+                        mfirst,
+                        mlisted,
+                        mpairs[c],
+                        mpairs[c + 1],
+                        clock[DT_LAST],
+                        cut,
+                        cand[c],
+                        chosen[c],
+                    )
                 wall_chunk(
                     pos,
                     vel,
@@ -149,21 +176,20 @@ def compiled(
                     clock[DT_LAST],
                     cut,
                     ledger[c],
+                    body,
+                    gap,
                 )
             # wall forces and ledger, summed in the order of chunks
             for w in range(walls):
-                along = 0.0
-                for v in range(3):
-                    along += total[w, v] * move[w, v]
-                for v in range(5):
+                power = wall_power(wall, move, body, total, w)
+                for v in range(TOTALS):
                     total[w, v] = 0.0
                 for c in range(number):
-                    for v in range(5):
+                    for v in range(TOTALS):
                         total[w, v] += wtotal[c, w, v]
-                now = 0.0
-                for v in range(3):
-                    now += total[w, v] * move[w, v]
-                sums[WALL_WORK] += 0.5 * (along + now) * move[w, 5] * clock[DT_LAST]
+                power += wall_power(wall, move, body, total, w)
+                sums[WALL_WORK] += 0.5 * power * clock[DT_LAST]
+                total[w, WORK] += 0.5 * power * clock[DT_LAST]
             pushed, pushes = sums[BOX_POWER], 0.0
             sums[STORED] = 0.0
             sums[TOUCHING] = 0.0
@@ -236,7 +262,18 @@ def compiled(
                 box[0, v] *= 1.0 + box[2, v] * dt
                 if box[1, v] > 0.0:
                     box[1, v] = 1.0 / box[0, v]
-            drive_walls(wall, move, total, program, lengths, clock[TIME], dt)
+            drive_walls(
+                wall,
+                move,
+                total,
+                program,
+                lengths,
+                body,
+                motion,
+                turns,
+                clock[TIME],
+                dt,
+            )
             sums[KINETIC] = 0.0
             sums[GRAVITY] = 0.0
             fastest = 0.0
@@ -259,10 +296,7 @@ def compiled(
             if not finite:
                 return n + 1, BROKEN
             slack = np.sqrt(moved)
-            wall_moved = 0.0
-            for w in range(walls):
-                if wall[w, 10] > 0.0:
-                    wall_moved = max(wall_moved, abs(move[w, 4] - wref[w]))
+            wall_moved = wall_path(wall, move, body, wref)
             met = False
             for q in range(condition.shape[0]):
                 kind = condition[q, 0]
@@ -300,7 +334,7 @@ def compiled(
             ),
             str(law.constants._fields),  # type: ignore[attr-defined]
             str(law.state._fields),  # type: ignore[attr-defined]
-            f"{uniform}{rolling}{periodic}{zeros}",
+            f"{uniform}{rolling}{periodic}{meshed}{zeros}",
         ]
     )
     return _jit.cached(kernel, key)

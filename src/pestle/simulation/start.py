@@ -50,8 +50,7 @@ def start(run: "Runner") -> None:
     if filling:
         run.memory.setdefault("column", float(place[:, 2].max()))
         _open_for_filling(run)
-    run.engine.start()
-    _initial_energy(run)
+    begin_ledger(run)
 
 
 def drawn(
@@ -107,9 +106,8 @@ def harden(run: "Runner") -> None:
     engine.vel[:, [0, 1, 2, 4, 5, 6]] = soft.vel[order][:, [0, 1, 2, 4, 5, 6]][
         np.searchsorted(np.sort(ids), engine.ids)
     ]
-    engine.start()
     run.engine = engine
-    _initial_energy(run)
+    begin_ledger(run)
 
 
 def continue_from_run(run: "Runner") -> None:
@@ -124,13 +122,12 @@ def continue_from_run(run: "Runner") -> None:
     same_law = facts.get("law") == run.case.canonical_law()
     same_powders = facts.get("powders") == list(run.case.powders)
     if same_law and same_powders and facts.get("walls") == run.walls:
-        gravity = engine.gravity
+        gravity, clock = engine.gravity, engine.clock.copy()
         engine.restore(arrays)
         engine.gravity = gravity
         engine.report[0] = 0
-        engine.clock[st.TIME] = 0.0
-    engine.start()
-    _initial_energy(run)
+        engine.clock[:] = clock
+    begin_ledger(run)
 
 
 def earlier(
@@ -180,8 +177,9 @@ def _open_for_filling(run: "Runner") -> None:
             )
 
 
-def _initial_energy(run: "Runner") -> None:
-    """Remember the energy that a new engine begins with, for the ledger."""
+def begin_ledger(run: "Runner") -> None:
+    """Start an engine, and remember the energy that it begins with, for the ledger."""
+    run.engine.start()
     e = run.engine
     m, v, w = e.vel[:, 3], e.vel[:, :3], e.vel[:, 4:7]
     kinetic = 0.5 * float(np.sum(m[:, None] * v * v)) + 0.5 * float(

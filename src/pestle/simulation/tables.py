@@ -76,8 +76,10 @@ def contact_table(engine: "Engine") -> dict[str, Array]:
     p, w = engine.wp[s], engine.ww[s]
     vector = np.array(
         [
-            towards_wall(*engine.pos[i, :3], engine.wall, j)
-            for i, j in zip(p, w, strict=True)
+            engine.gap[q, :3]
+            if engine.wall[j, wl.KIND] == wl.MESH
+            else towards_wall(*engine.pos[i, :3], engine.wall, j)
+            for q, i, j in zip(s, p, w, strict=True)
         ]
     ).reshape(-1, 3)
     kind = engine.mat[p] * solids + engine.wall[w, wl.MATERIAL].astype(np.int64)
