@@ -3,7 +3,7 @@
 import signal
 from pathlib import Path
 from types import FrameType
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
@@ -16,7 +16,10 @@ if TYPE_CHECKING:
 _WRITTEN = (
     "case.toml",
     "checkpoint.npz",
+    "data.lammps",
     "history.csv",
+    "in.lammps",
+    "log.lammps",
     "metrics.json",
     "provenance.json",
     "report.html",
@@ -44,6 +47,14 @@ def run(
     overwrite: Annotated[
         bool, typer.Option("--overwrite", help="Replace an earlier run in DIR.")
     ] = False,
+    engine: Annotated[
+        Literal["pestle", "lammps"],
+        typer.Option(help="What computes it; lammps refuses what it does not have."),
+    ] = "pestle",
+    ranks: Annotated[
+        int,
+        typer.Option(metavar="N", min=1, max=100_000, help="MPI ranks of LAMMPS."),
+    ] = 1,
     as_json: AsJson = False,
     quiet: Annotated[
         bool, typer.Option("--quiet", "-q", help="No progress, no summary.")
@@ -58,21 +69,42 @@ def run(
 
     loaded = Case.from_file(case, settings)
     folder = out if out is not None else Path("runs") / case.stem
+    on_lammps = engine == "lammps"
+    _refuse_mixed(on_lammps, ranks=ranks, threads=threads, resume=resume)
     _prepare(folder, resume=resume, overwrite=overwrite)
     signal.signal(signal.SIGTERM, _stop_like_ctrl_c)
-    from pestle import simulation
+    from pestle import lammps, simulation
 
     try:
         with progress(quiet=quiet) as report:
-            result = simulation.run(
-                loaded, out=folder, threads=threads, resume=resume, progress=report
-            )
+            if on_lammps:
+                result = lammps.run(loaded, folder, ranks=ranks, progress=report)
+            else:
+                result = simulation.run(
+                    loaded, out=folder, threads=threads, resume=resume, progress=report
+                )
         if str(result.stop_reason) == "interrupted":
             raise KeyboardInterrupt
     except KeyboardInterrupt:
-        _say_how_to_go_on(case, folder, threads, settings)
+        if not on_lammps:
+            _say_how_to_go_on(case, folder, threads, settings)
         raise
     _finish(result, as_json=as_json, quiet=quiet)
+
+
+def _refuse_mixed(
+    on_lammps: bool, *, ranks: int, threads: int | None, resume: bool
+) -> None:
+    """Refuse options of one engine with the other."""
+    if on_lammps and (resume or threads is not None):
+        option = "--resume" if resume else "--threads"
+        hint = "LAMMPS runs from its beginning" if resume else "use --ranks"
+        what = f"{option} belongs to pestle's own engine"
+        raise InputError("contradiction", what, option, hint)
+    if not on_lammps and ranks != 1:
+        what = "--ranks belongs to --engine lammps"
+        hint = "pestle's own engine has --threads"
+        raise InputError("contradiction", what, "--ranks", hint)
 
 
 def _finish(result: "RunResult", *, as_json: bool, quiet: bool) -> None:
