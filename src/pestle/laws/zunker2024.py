@@ -91,7 +91,7 @@ class Zunker2024(Drawn):
     summary: ClassVar[str] = "MDR: elastic-plastic adhesive spheres, large deformation"
     requires: ClassVar[tuple[str, ...]] = ("yield_stress",)
     validity: ClassVar[str] = (
-        "E/Y of 6.25 to 200, displacement of a side up to half its radius; adhesion with "
+        "E/Y of 6.25 to 200, displacement of a side to half its radius; adhesion with "
         "yielding needs 2 a_c >= 15 r_Ip, (F.7): see pestle.reference.validity"
     )
     citation: ClassVar[str] = (
