@@ -53,12 +53,18 @@ def reason(run: "Runner", index: int) -> str:
 
 
 def tablet_broke(run: "Runner") -> bool:
-    """Whether the tablet between the platens carries half of its peak or less."""
+    """Whether the tablet between the platens has broken.
+
+    It carries half of its peak or less, and did not recover while each platen moved on
+    by half a particle's radius: a particle that gives way on the rim is no break.
+    """
     if run.case.process[run.stage].step != "crush":
         return False
     e, w = run.engine, run.wall("platen_left")
     force = float(e.total[w, :3] @ e.move[w, :3])
-    run.memory["peak"] = max(run.memory["peak"], force)
     moved = float(e.move[w, wl.DISPLACEMENT])
-    settled = moved > 0.005 * run.memory["crush_diameter"]
-    return bool(settled and force < 0.5 * run.memory["peak"])
+    if force >= run.memory["peak"]:
+        run.memory["peak"], run.memory["peak_at"] = force, moved
+    further = moved - run.memory.get("peak_at", moved)
+    weak = force < 0.5 * run.memory["peak"]
+    return bool(weak and further > 0.5 * float(e.pos[:, 3].mean()))

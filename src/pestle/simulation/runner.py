@@ -139,7 +139,7 @@ class Runner:
         output.stages(self.stages)
         self.stage += 1
         self.phase = 0
-        for key in ("entered", "frames", "peak", "reason", "from"):
+        for key in ("entered", "frames", "peak", "peak_at", "reason", "from"):
             self.memory.pop(key, None)
         self.save(output)
 
