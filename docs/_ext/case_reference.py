@@ -21,6 +21,8 @@ SECTIONS = {
     "[die]": "DieSettings",
     "[walls.NAME], a plane": "PlaneWall",
     "[walls.NAME], a cylinder": "CylinderWall",
+    "[walls.NAME], a mesh": "MeshWall",
+    "[walls.NAME], a blade": "BladeWall",
     "[box]": "BoxSettings",
     "[engine]": "EngineSettings",
     "[[process]]": "process",

@@ -29,6 +29,8 @@ def sections():
         "die": "DieSettings",
         "walls.plane": "PlaneWall",
         "walls.cylinder": "CylinderWall",
+        "walls.mesh": "MeshWall",
+        "walls.blade": "BladeWall",
         "box": "BoxSettings",
         "engine": "EngineSettings",
         "output": "OutputSettings",

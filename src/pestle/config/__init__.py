@@ -3,9 +3,11 @@
 from pestle.config.case import Case
 from pestle.config.contacts import ContactSettings, PairProperties, PairSettings
 from pestle.config.geometry import (
+    BladeWall,
     BoxSettings,
     CylinderWall,
     DieSettings,
+    MeshWall,
     PlaneWall,
 )
 from pestle.config.law import LawSettings
@@ -23,10 +25,13 @@ from pestle.config.process import (
     Servo,
     Unload,
 )
+from pestle.config.process_bodies import Carry, Level, Stir
 from pestle.config.settings import EngineSettings, OutputSettings
 
 __all__ = [
+    "BladeWall",
     "BoxSettings",
+    "Carry",
     "Case",
     "ContactSettings",
     "Crush",
@@ -38,7 +43,9 @@ __all__ = [
     "Fill",
     "Hold",
     "LawSettings",
+    "Level",
     "MaterialSettings",
+    "MeshWall",
     "Move",
     "OutputSettings",
     "PairProperties",
@@ -49,5 +56,6 @@ __all__ = [
     "Relax",
     "Servo",
     "SizeDistribution",
+    "Stir",
     "Unload",
 ]

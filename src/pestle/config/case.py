@@ -9,13 +9,7 @@ from pydantic import Field, PrivateAttr, model_validator
 from pestle.config.base import Section
 from pestle.config.checks import check_case, fill_contacts
 from pestle.config.contacts import ContactSettings, PairProperties
-from pestle.config.geometry import (
-    BoxSettings,
-    CylinderWall,
-    DieSettings,
-    PlaneWall,
-    Wall,
-)
+from pestle.config.geometry import BoxSettings, DieSettings, Wall
 from pestle.config.law import LawSettings
 from pestle.config.materials import MaterialSettings
 from pestle.config.particles import Powders
@@ -67,6 +61,7 @@ class Case(Section):
     """What is written and how often."""
     _source: Path | None = PrivateAttr(default=None)
     _table: Any = PrivateAttr(default=None)
+    _surfaces: dict[str, Any] = PrivateAttr(default_factory=dict)
     _powders: tuple[str, ...] | None = PrivateAttr(default=None)
     _hash: dict[str, str] | None = PrivateAttr(default=None)
 
@@ -122,6 +117,15 @@ class Case(Section):
         table: ParticleTable = self._table
         return table
 
+    def surface(self, name: str) -> tuple[Any, Any]:
+        """Vertices from its point [m] and triangles of a wall of kind mesh or blade."""
+        from pestle.config.bodies import surface_of
+
+        if name not in self._surfaces:
+            self._surfaces[name] = surface_of(self, name)
+        found: tuple[Any, Any] = self._surfaces[name]
+        return found
+
     @property
     def powders(self) -> tuple[str, ...]:
         """Materials of the particles; the results number them in this order."""
@@ -141,7 +145,7 @@ class Case(Section):
         return self.contacts.pair(first, second)
 
     @property
-    def all_walls(self) -> dict[str, PlaneWall | CylinderWall]:
+    def all_walls(self) -> dict[str, Any]:
         """Walls of the die, then the others, by name."""
         return {**(self.die.walls() if self.die else {}), **self.walls}
 
@@ -162,9 +166,12 @@ class Case(Section):
 
         What the case reads stands there by the hash of its content, not by its path.
         """
+        from pestle.config.bodies import mesh_hash
         from pestle.config.powders import content_hash
 
         data = self.model_dump(mode="json")
+        for name, content in mesh_hash(self).items():
+            data["walls"][name]["file"] = content
         if self._hash is None and not self.is_generated:
             self._hash = content_hash(self)
         if self._hash is not None:

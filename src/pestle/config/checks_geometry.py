@@ -6,7 +6,7 @@ from math import sqrt
 from typing import TYPE_CHECKING
 
 from pestle.config.base import problem
-from pestle.config.geometry import CylinderWall, PlaneWall, Vector
+from pestle.config.geometry import AnyWall, CylinderWall, PlaneWall, Vector
 
 if TYPE_CHECKING:
     from pestle.config.case import Case
@@ -77,9 +77,9 @@ def _check_box(case: "Case") -> None:
 
 def _clashes(
     one: str,
-    first: PlaneWall | CylinderWall,
+    first: AnyWall,
     two: str,
-    second: PlaneWall | CylinderWall,
+    second: AnyWall,
     room: float,
 ) -> Iterator[tuple[str, str]]:
     """Describe what is wrong with two walls, if anything."""

@@ -15,6 +15,7 @@ from pestle.config.process import (
     Servo,
     Unload,
 )
+from pestle.config.process_bodies import Carry, Stir
 from pestle.errors import did_you_mean
 
 if TYPE_CHECKING:
@@ -41,6 +42,8 @@ def check_process(case: "Case") -> None:
             _check_wall(case, stage, key)
         if isinstance(stage, Move):
             _check_move(case, stage, key)
+        if isinstance(stage, Carry | Stir):
+            _check_body(case, stage, key)
         if isinstance(stage, Deform) and case.box is None:
             what = 'the step "deform" needs a periodic [box]'
             raise problem("needs-box", what, "add [box]", (*key, "step"))
@@ -105,6 +108,18 @@ def _check_wall(case: "Case", stage: _Driven, key: tuple[str | int, ...]) -> Non
             "give a force instead",
             (*key, "to" if isinstance(stage, Press) else "stress"),
         )
+
+
+def _check_body(case: "Case", stage: Carry | Stir, key: tuple[str | int, ...]) -> None:
+    kinds = ("blade",) if isinstance(stage, Stir) else ("mesh", "blade")
+    wall = case.walls.get(stage.wall)
+    if wall is None:
+        what = f'there is no wall "{stage.wall}" for the step "{stage.step}"'
+        hint = did_you_mean(stage.wall, case.walls) if case.walls else "add [walls.*]"
+        raise problem("unknown-wall", what, hint, (*key, "wall"))
+    if wall.kind not in kinds:
+        what = f'the wall "{stage.wall}" is a {wall.kind}; "{stage.step}" moves a '
+        raise problem("wrong-wall", what + " or a ".join(kinds), None, (*key, "wall"))
 
 
 def _check_move(case: "Case", stage: Move, key: tuple[str | int, ...]) -> None:

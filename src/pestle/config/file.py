@@ -57,6 +57,9 @@ def _check_files(case: "Case", origin: Origin) -> None:
                 "the path is relative to the case file",
             )
         _ = case.powders
+    for name, wall in case.walls.items():
+        if wall.kind == "mesh":
+            case.surface(name)
 
 
 def read_text(path: Path, largest: int) -> str:

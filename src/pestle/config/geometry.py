@@ -6,7 +6,17 @@ from typing import Annotated, Literal
 from pydantic import AfterValidator, Field, model_validator
 
 from pestle.config.base import Section, problem
-from pestle.config.quantities import Coordinate, Direction, Flag, Length, Name, Point
+from pestle.config.quantities import (
+    Coordinate,
+    Direction,
+    Flag,
+    Length,
+    Name,
+    Point,
+    Quantity,
+    Text,
+    WholeNumber,
+)
 
 Vector = tuple[float, float, float]
 
@@ -66,7 +76,89 @@ class CylinderWall(Section):
         return self
 
 
-Wall = Annotated[PlaneWall | CylinderWall, Field(discriminator="kind")]
+class MeshWall(Section):
+    """Rigid body with a surface of triangles, both sides of which act."""
+
+    kind: Literal["mesh"] = "mesh"
+    """mesh"""
+    file: Text
+    """STL, PLY or OBJ, relative to the case file."""
+    unit: Length
+    """Length of one unit of the file [m], as "1 mm"; the formats do not say it."""
+    point: Point = (0.0, 0.0, 0.0)
+    """Where the origin of the file comes to lie: the body turns about it [m]."""
+    axis: UnitVector = (0.0, 0.0, 1.0)
+    """Direction of its displacement and of a force that it holds [-]."""
+    open: Flag = False
+    """Whether it is a sheet with a rim; else a rim is a hole, and refused."""
+    absent: Flag = False
+    """Whether it comes in only when a step of the process first moves it."""
+    material: Name
+    """Material of the wall, a name in [materials]."""
+
+
+class BladeWall(Section):
+    """Twisted blade of a powder rheometer: two wings on a shaft, a closed mesh.
+
+    A wing is a strip whose chord stands upright at the shaft and leans to
+    `tip_angle` from the horizontal at the tip, linearly in the radius, so that its
+    front pushes the powder down when it turns anticlockwise as seen from above.
+    """
+
+    kind: Literal["blade"] = "blade"
+    """blade"""
+    diameter: Length
+    """Distance of the tips [m]."""
+    chord: Length
+    """Width of the strip: the height of the blade at the shaft [m]."""
+    thickness: Length
+    """Thickness of the strip [m]."""
+    tip_angle: Annotated[float, Quantity("rad", above=0.0, most=1.5707964)]
+    """Angle of the strip to the horizontal at the tip [rad], as "30 deg"."""
+    shaft_diameter: Length
+    """Diameter of the shaft [m]."""
+    shaft_height: Length
+    """Length of the shaft above the middle of the blade [m]."""
+    segments: Annotated[int, WholeNumber(2, 500)] = 24
+    """Pieces along a wing: the mesh gets about 20 triangles for each [-]."""
+    point: Point = (0.0, 0.0, 0.0)
+    """Middle of the blade on its axis, about which it turns [m]."""
+    absent: Flag = True
+    """Whether it comes in only when a step of the process first moves it."""
+    material: Name
+    """Material of the blade, a name in [materials]."""
+
+    @model_validator(mode="after")
+    def _check(self) -> "BladeWall":
+        for key, limit, other in (
+            ("thickness", self.shaft_diameter, "shaft_diameter"),
+            ("shaft_diameter", self.diameter, "diameter"),
+        ):
+            if getattr(self, key) >= limit:
+                raise problem(
+                    "contradiction",
+                    f"{key} {getattr(self, key):g} m is not below {other} {limit:g} m",
+                    "check the units",
+                    key=(key,),
+                )
+        if self.shaft_height <= 0.5 * self.chord:
+            raise problem(
+                "contradiction",
+                f"shaft_height {self.shaft_height:g} m does not reach above the blade, "
+                f"half a chord of {self.chord:g} m",
+                "it is measured from the middle of the blade",
+                key=("shaft_height",),
+            )
+        return self
+
+    @property
+    def axis(self) -> Vector:
+        """Direction of its displacement: down into the powder [-]."""
+        return (0.0, 0.0, -1.0)
+
+
+AnyWall = PlaneWall | CylinderWall | MeshWall | BladeWall
+Wall = Annotated[AnyWall, Field(discriminator="kind")]
 
 
 class DieSettings(Section):

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pestle.config.file import read_text
-from pestle.config.geometry import CylinderWall, PlaneWall
+from pestle.config.geometry import AnyWall, CylinderWall, PlaneWall
 from pestle.errors import InputError, did_you_mean
 
 if TYPE_CHECKING:
@@ -96,10 +96,12 @@ def read_particles(path: Path, known: "Collection[str]" = ()) -> ParticleTable:
 
 
 def check_inside(
-    table: ParticleTable, walls: "Mapping[str, PlaneWall | CylinderWall]", path: Path
+    table: ParticleTable, walls: "Mapping[str, AnyWall]", path: Path
 ) -> None:
     """Refuse particles whose centre lies behind a wall."""
     for name, wall in walls.items():
+        if not isinstance(wall, PlaneWall | CylinderWall):
+            continue  # a body has powder on all its sides
         depth = _depth(wall, table.position)
         behind = np.flatnonzero(depth <= 0.0)
         if behind.size:

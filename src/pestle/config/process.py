@@ -5,7 +5,8 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
-from pestle.config.base import Section, problem
+from pestle.config.base import problem
+from pestle.config.process_bodies import Carry, Level, Stir
 from pestle.config.quantities import (
     Coordinate,
     Distance,
@@ -18,19 +19,10 @@ from pestle.config.quantities import (
     Rate,
     Speed,
     Stress,
-    Text,
     Time,
     Velocity,
 )
-
-For = Annotated[Duration, Field(alias="for")]
-
-
-class Stage(Section):
-    """What all steps of the process have."""
-
-    name: Text | None = None
-    """Name in the results; by default the step and, if repeated, its number."""
+from pestle.config.stage import For, Stage
 
 
 class Fill(Stage):
@@ -266,7 +258,19 @@ class Deform(Stage):
 
 
 Step = Annotated[
-    Fill | Press | Hold | Unload | Eject | Relax | Crush | Move | Servo | Deform,
+    Fill
+    | Press
+    | Hold
+    | Unload
+    | Eject
+    | Relax
+    | Crush
+    | Move
+    | Servo
+    | Deform
+    | Carry
+    | Stir
+    | Level,
     Field(discriminator="step"),
 ]
 
@@ -281,6 +285,9 @@ STEPS: dict[str, type[Stage]] = {
     "move": Move,
     "servo": Servo,
     "deform": Deform,
+    "carry": Carry,
+    "stir": Stir,
+    "level": Level,
 }
 """Steps by the word that the case file uses."""
 

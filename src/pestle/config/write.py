@@ -16,6 +16,9 @@ def case_toml(case: "Case") -> str:
         for key in ("file", "start_from"):
             if key in group:
                 group[key] = str(case.resolve(group[key]).resolve())
+    for wall in data["walls"].values():
+        if "file" in wall:
+            wall["file"] = str(case.resolve(wall["file"]).resolve())
     if len(data["particles"]) == 1:
         data["particles"] = data["particles"][0]
     return "\n".join(["# All values in SI units.", *_table(data, ())]) + "\n"

@@ -9,6 +9,7 @@ import numpy as np
 from pestle.engine import step as st
 from pestle.engine import walls as wl
 from pestle.engine.engine import Engine, PairRule
+from pestle.engine.mesh import Surface
 from pestle.laws import Hertz, Solid
 
 if TYPE_CHECKING:
@@ -90,6 +91,10 @@ def wall_rows(case: "Case", names: list[str]) -> tuple[list[str], list[Any], lis
         if w.kind == "plane":
             row = [0.0, *w.point, *w.normal, 0.0, 0.0, 0.0, 1.0, material]
             axis = w.normal
+        elif w.kind in ("mesh", "blade"):
+            here = 0.0 if w.absent else 1.0
+            row = [wl.MESH, *w.point, *w.axis, 0.0, 0.0, 0.0, here, material]
+            axis = w.axis
         else:
             row = [1.0, *w.point, *w.axis, w.radius, w.bottom, w.top, 1.0, material]
             axis = w.axis
@@ -105,6 +110,15 @@ def wall_rows(case: "Case", names: list[str]) -> tuple[list[str], list[Any], lis
             )
             moves.append([way, *[0.0] * (wl.MOVE - 1)])
     return found, rows, moves
+
+
+def surfaces_of(case: "Case", names: list[str]) -> dict[int, Surface]:
+    """Surfaces of the walls that are bodies of triangles, by number."""
+    return {
+        number: Surface(*case.surface(name))
+        for number, name in enumerate(names)
+        if name in case.walls and case.walls[name].kind in ("mesh", "blade")
+    }
 
 
 def make_engine(
@@ -134,5 +148,5 @@ def make_engine(
         engine.clock[st.AUTO] = 0.0
         engine.clock[st.DT] = engine.clock[st.DT_MAX] = case.engine.time_step
     found, rows, moves = wall_rows(case, names)
-    engine.set_walls(rows, moves)
+    engine.set_walls(rows, moves, surfaces_of(case, found))
     return engine, found

@@ -74,6 +74,9 @@ class Output:
         columns += [f"energy.{part} [J]" for part in ENERGIES]
         columns += ["relative_density [-]", "coordination [-]"]
         columns += [f"{name}.normal_force [N]" for name in run.walls]
+        for name in run.walls:
+            columns += [f"{name}.torque_{axis} [N m]" for axis in "xyz"]
+            columns += [f"{name}.power [W]", f"{name}.work [J]"]
         columns += [
             "step",
             "stage",
@@ -98,6 +101,10 @@ class Output:
         solid = float(np.sum(np.sort(solid_volumes(e))))
         values += [solid / volume if volume else float("nan"), coordination(e)]
         values += [float(e.total[w, 3]) for w in range(len(run.walls))]
+        for w in range(len(run.walls)):
+            values += map(float, e.total[w, wl.TORQUE : wl.TOTALS])
+            values.append(float(wl.wall_power(e.wall, e.move, e.body, e.total, w)))
+            values.append(float(e.total[w, wl.WORK]))
         values += [run.steps, stage, height, float(e.clock[st.DT_LAST])]
         values += [inertial_number(run), float(e.sums[st.NEGATIVE]), imbalance(run)]
         self.history.row(values)

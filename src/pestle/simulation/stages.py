@@ -13,6 +13,7 @@ import numpy as np
 from pestle.engine import step as st
 from pestle.engine import walls as wl
 from pestle.errors import InputError
+from pestle.simulation.bodies import carry_go, level_go, stir_go
 from pestle.simulation.start import harden
 
 if TYPE_CHECKING:
@@ -36,6 +37,12 @@ def go(run: "Runner", wall: int, speed: float) -> None:
 def displacement(run: "Runner", wall: int) -> float:
     """Displacement of a wall so far [m]."""
     return float(run.engine.move[wall, wl.DISPLACEMENT])
+
+
+def appear(run: "Runner", walls: list[int]) -> None:
+    """Bring in walls that may be absent so far."""
+    run.engine.wall[walls, wl.ACTIVE] = 1.0
+    run.engine.rebuild()
 
 
 def target_force(
@@ -87,8 +94,7 @@ def press_go(run: "Runner", step: Any) -> Conditions:
     w = run.wall(step.wall)
     if step.wall == "upper_punch":
         run.lower_to_powder(w)
-    run.engine.wall[w, wl.ACTIVE] = 1.0
-    run.engine.rebuild()
+    appear(run, [w])
     go(run, w, step.at)
     force = target_force(run, step, step.to_stress, step.to_force)
     if force is not None:
@@ -214,6 +220,8 @@ def move_back(run: "Runner", step: Any) -> Conditions:
 def servo_go(run: "Runner", step: Any) -> Conditions:
     """Hold a force for a time."""
     w = run.wall(step.wall)
+    if run.engine.wall[w, wl.ACTIVE] == 0.0:
+        appear(run, [w])
     force = target_force(run, step, step.stress, step.force)
     assert force is not None
     servo(run, w, force)
@@ -237,4 +245,7 @@ PHASES: dict[str, tuple[Phase, ...]] = {
     "move": (move_go, move_back),
     "servo": (servo_go,),
     "deform": (deform_go,),
+    "carry": (carry_go,),
+    "stir": (stir_go,),
+    "level": (level_go,),
 }
