@@ -91,6 +91,7 @@ class Engine:
     rolling: bool = False
     safety: float = 0.2
     skin: float = 0.0
+    beyond: float = 0.0  # reach beyond touch since the lists were built [m]
     rebuilds: int = 0
     since_rebuild: int = 0
     lost_contacts: int = 0
@@ -297,7 +298,6 @@ class Engine:
             bool((self.wall[:, wl.KIND] == wl.MESH).any()),
             self._zeros(),
         )
-        cut = self.cut()
         while steps > 0:
             done, why = kernel(
                 steps, self.clock, self.sums, self.gravity, self.condition,
@@ -307,7 +307,7 @@ class Engine:
                 self.table, len(self.solids), self.wall, self.move, self.total, self.program,
                 self.lengths, self.box, self.chunks, self.pairs, self.wpairs, self.last,
                 self.offset, self.buf, self.scratch, self.listed, self.ledger, self.wtotal,
-                self.report, self.wref, self.skin, cut, self.body, self.motion, self.turns,
+                self.report, self.wref, self.skin, self.beyond, self.body, self.motion, self.turns,
                 self.mesh, self.gap, self.slot, self.mfirst, self.mlisted, self.mpairs,
                 self.cand, self.chosen,
             )  # fmt: skip
@@ -315,7 +315,6 @@ class Engine:
             steps -= done
             if why == st.REBUILD or why >= 16:
                 self.rebuild()
-                cut = self.cut()
             if why not in (st.RAN, st.REBUILD):
                 return int(why % 16)
         return st.RAN
@@ -354,6 +353,7 @@ class Engine:
             [self.rebuilds, self.since_rebuild, self.lost_contacts], np.int64
         )
         state["skin"] = np.array(self.skin)
+        state["beyond"] = np.array(self.beyond)
         state["gravity"] = self.gravity
         return state
 
@@ -372,6 +372,6 @@ class Engine:
         self.rebuilds, self.since_rebuild, self.lost_contacts = map(
             int, state["counters"]
         )
-        self.skin = float(state["skin"])
+        self.skin, self.beyond = float(state["skin"]), float(state["beyond"])
         self.gravity = np.array(state["gravity"])
         self.divide()

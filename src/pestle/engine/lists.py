@@ -35,7 +35,8 @@ def rebuild(e: "Engine", wanted: Array | None = None) -> None:
     for c in np.flatnonzero(images):
         x = e.pos[:, c] - origin[c]
         e.pos[:, c] = origin[c] + x - lengths[c] * np.floor(x / lengths[c])
-    reach = e.skin + e.cut()
+    e.beyond = e.cut()
+    reach = e.skin + e.beyond
     old = e.first, e.pa, e.pb, e.hist, e.flag, e.weight
     left = np.arange(len(e.pos)) if wanted is None else np.flatnonzero(wanted)
     e.pos = e.pos[left] if wanted is not None else e.pos
