@@ -5,6 +5,7 @@ from typing import Annotated
 import typer
 
 from pestle.cli.bench import bench
+from pestle.cli.calibrate import calibrate
 from pestle.cli.cite import cite
 from pestle.cli.export import export
 from pestle.cli.fit import fit
@@ -27,7 +28,7 @@ app = typer.Typer(
 )
 
 for _command in (
-    *(run, plan, report, sweep, laws, materials, fit, reproduce, cite, schema),
+    *(run, plan, report, sweep, calibrate, laws, materials, fit, reproduce, cite, schema),
 ):
     app.command()(_command)
 # these explain the law that they are given, so that they see --help themselves
