@@ -111,6 +111,31 @@ def test_the_blade_goes_along_its_helix(whole: Path) -> None:
     assert went == pytest.approx(1.5e-3 + 0.5e-3, rel=0.1)  # and a mean radius
 
 
+def test_the_flow_energy_is_the_integral_of_the_power(whole: Path) -> None:
+    from pestle.metrics.flow_metrics import flow_curves
+    from pestle.results import RunFolder
+
+    with RunFolder(whole) as folder:
+        down, up = flow_curves(folder)
+        numbers = simulation_metrics(folder)
+    assert down.depth[-1] == pytest.approx(1.5e-3, abs=2e-5)
+    assert up.depth[-1] == pytest.approx(-1e-3, abs=2e-5)
+    history = read_history(whole / "history.csv")
+    rows = np.array(history.stages) == "stir"
+    power, time = history["blade.power [W]"][rows], history["time [s]"][rows]
+    summed = np.trapezoid(power, time)
+    spent = np.ptp(history["blade.work [J]"][rows])
+    assert spent == pytest.approx(summed, rel=0.3)  # rows are 50 steps apart
+    assert numbers["flow_energy"] == pytest.approx(down.energy[-1])
+    assert 600.0 < numbers["bulk_density"] < 1000.0
+
+
+def simulation_metrics(folder):  # type: ignore[no-untyped-def]
+    from pestle.metrics import summarise
+
+    return {metric.key: metric.value for metric in summarise(folder).metrics}
+
+
 def test_levelling_takes_away_what_stands_higher(whole: Path) -> None:
     from pestle.results import Results
 

@@ -3,6 +3,7 @@
 from pestle.plots.compaction import compaction_curve, heckel_and_kawakita
 from pestle.plots.distributions import sizes_and_forces
 from pestle.plots.energy import energy_ledger
+from pestle.plots.flow import flow_energy
 from pestle.plots.scene import picture
 from pestle.plots.stress import stress_paths
 from pestle.plots.style import to_svg
@@ -11,6 +12,7 @@ from pestle.plots.walls import wall_forces
 __all__ = [
     "compaction_curve",
     "energy_ledger",
+    "flow_energy",
     "heckel_and_kawakita",
     "picture",
     "sizes_and_forces",

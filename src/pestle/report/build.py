@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pestle.metrics import Metric, Summary, summarise, write_metrics
+from pestle.metrics.flow_metrics import flow_curves
 from pestle.metrics.tablet_metrics import key_frames
 from pestle.report.inputs import input_tables
 from pestle.report.numbers import duration, shown, with_unit
@@ -22,6 +23,8 @@ _HERO = (
     "ejection_stress",
     "axial_spring_back",
     "tensile_strength",
+    "flow_energy",
+    "bulk_density",
     "radial_transmission",
     "coordination_pressed",
     "contact_area_fraction_pressed",
@@ -178,6 +181,8 @@ def _figures(run: RunFolder, summary: Summary) -> dict[str, str]:
         drawn["heckel"] = plots.heckel_and_kawakita(curves)
     elif run.history is not None and len(run.history):
         drawn["walls"] = plots.wall_forces(run.history)
+    if summary.value("flow_energy") is not None:
+        drawn["flow"] = plots.flow_energy(flow_curves(run))
     if run.history is not None and summary.value("work_put_in") is not None:
         drawn["energy"] = plots.energy_ledger(run.history, _after_filling(run))
     frames = key_frames(run)

@@ -74,12 +74,18 @@ def stir_go(run: "Runner", step: Any) -> Conditions:
     )
     here = float(engine.move[w, wl.DISPLACEMENT])
     run.memory["stir"] = {
+        "wall": step.wall,
         "depth_at_start": depth(run, step.wall),
         "displacement_at_start": here,
         "surface": surface(run),
         "angular_velocity": rate,
         "velocity": fall,
     }
+    if run.case.die is not None:
+        bottom = float(engine.wall[run.wall("lower_punch"), wl.POINT + 2])
+        volume = run.case.die.area * (surface(run) - bottom)
+        mass = float(np.sum(np.sort(engine.vel[:, 3])))
+        run.memory["stir"]["bulk_density"] = mass / volume
     return [(st.MOVED if way >= 0.0 else st.BACK, w, here + way)]
 
 

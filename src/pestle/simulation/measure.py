@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 def stage_info(run: "Runner", step: Any) -> dict[str, Any]:
     """Facts of a finished stage for stages.json."""
     info: dict[str, Any] = {}
+    if step.step == "stir":
+        info |= run.memory["stir"]
     if run.case.die is None:
         return info
     if step.step in ("press", "hold"):
