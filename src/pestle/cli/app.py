@@ -28,7 +28,19 @@ app = typer.Typer(
 )
 
 for _command in (
-    *(run, plan, report, sweep, calibrate, laws, materials, fit, reproduce, cite, schema),
+    *(
+        run,
+        plan,
+        report,
+        sweep,
+        calibrate,
+        laws,
+        materials,
+        fit,
+        reproduce,
+        cite,
+        schema,
+    ),
 ):
     app.command()(_command)
 # these explain the law that they are given, so that they see --help themselves
