@@ -1,6 +1,7 @@
 """pestle plan: what a case would take."""
 
-from typing import Any
+from dataclasses import asdict
+from typing import Annotated, Any
 
 import typer
 
@@ -9,7 +10,18 @@ from pestle.cli.options import AsJson, CaseFile, Settings
 _LOADED = 4.0  # below this, kernels were read from disk [s]
 
 
-def plan(case: CaseFile, settings: Settings = None, as_json: AsJson = False) -> None:
+def plan(
+    case: CaseFile,
+    settings: Settings = None,
+    large: Annotated[
+        bool,
+        typer.Option(
+            "--large",
+            help="Also 1e6 to 1e8 particles, on pestle and on LAMMPS if installed.",
+        ),
+    ] = False,
+    as_json: AsJson = False,
+) -> None:
     """Say what a run would take: particles, time step, steps, memory, time."""
     from pestle.cli.printing import duration, memory, print_json, print_table, quantity
     from pestle.config import Case
@@ -18,8 +30,13 @@ def plan(case: CaseFile, settings: Settings = None, as_json: AsJson = False) -> 
     from pestle import simulation
 
     planned = simulation.plan(loaded)
+    more = []
+    if large:
+        from pestle.cli.estimates import estimates
+
+        more = estimates(loaded, planned)
     if as_json:
-        print_json(planned)
+        print_json({**asdict(planned), "large": more} if large else planned)
         return
     rows = [
         ("law", loaded.law.name),
@@ -34,6 +51,11 @@ def plan(case: CaseFile, settings: Settings = None, as_json: AsJson = False) -> 
     print_table(rows)
     typer.echo("")
     print_table(_stage_rows(planned.stages))
+    if large:
+        from pestle.cli.estimates import show
+
+        typer.echo("")
+        show(more)
 
 
 def _compiling(seconds: float) -> str:
