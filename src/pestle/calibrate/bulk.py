@@ -6,8 +6,9 @@ r"""Bulk data: runs, a surrogate of their results, and the posterior by the surr
 
 with the measured y_k and their deviation sigma_k, and mean mu_k and deviation s_k of
 the surrogate.  New runs go where the posterior is and the surrogate is least certain.
-It stops when, over the posterior, the surrogate adds less than half a measurement's
-deviation to every target.
+It stops when, over the posterior, what is unknown of mu_k is less than half a
+measurement's deviation for every target.  The scatter of runs with another packing is
+part of s_k, but no number of runs takes it away.
 """
 
 from collections.abc import Callable
@@ -315,7 +316,7 @@ def _posterior(
 
 def _uncertain(surrogate: Surrogate, likely: Array, wanted: list[Measured]) -> float:
     """Largest mean deviation of the surrogate over that of a measurement [-]."""
-    _, error = surrogate.predict(likely)
+    error = surrogate.unknown(likely)
     sigma = np.array([m.deviation for m in wanted])
     return float(np.max(np.mean(error, axis=0) / sigma))
 
@@ -328,7 +329,7 @@ def _next(
     done: Array,
 ) -> Array:
     """Points of the posterior where the surrogate knows least, spread out."""
-    _, error = surrogate.predict(likely)
+    error = surrogate.unknown(likely)
     sigma = np.array([m.deviation for m in wanted])
     need = np.max(error / sigma, axis=1)
     taken, chosen = done, []

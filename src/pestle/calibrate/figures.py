@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pestle.calibrate.posterior import Posterior
-from pestle.plots.style import BLUE, GREEN, MUTED, ORANGE, new_figure, style
+from pestle.plots.style import BLUE, GREEN, GRID, MUTED, ORANGE, new_figure, style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -65,7 +65,7 @@ def draw_targets(result: "BulkResult") -> "Figure":
     with style():
         figure = new_figure(6.4, 0.34 * len(rows) + 1.2)
         ax = figure.subplots()
-        ax.axvspan(-1.96, 1.96, color=MUTED, alpha=0.15, linewidth=0)
+        ax.axvspan(-1.96, 1.96, color=GRID, linewidth=0, zorder=0)
         ax.errorbar(
             (result.predicted - value) / sigma,
             rows,
@@ -102,5 +102,11 @@ def draw_sensitivity(result: "BulkResult") -> "Figure":
         ax.set_yticks(rows, [m.label for m in result.measured], fontsize=7)
         ax.invert_yaxis()
         ax.set_xlabel("total Sobol index [-]")
-        ax.legend(frameon=False, fontsize=7)
+        ax.legend(
+            frameon=False,
+            fontsize=7,
+            loc="lower left",
+            bbox_to_anchor=(0.0, 1.0),
+            ncols=4,
+        )
     return figure

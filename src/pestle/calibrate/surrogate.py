@@ -33,6 +33,13 @@ class Surrogate:
         errors = np.column_stack([s for _, s in found])
         return self.mean + self.scale * means, self.scale * errors
 
+    def unknown(self, shares: Array) -> Array:
+        """Standard deviation that more runs can take away: without their noise."""
+        _, error = self.predict(shares)
+        noise = [model.kernel_.k2.noise_level for model in self.models]
+        left = (error / self.scale) ** 2 - np.array(noise)
+        return np.asarray(self.scale * np.sqrt(np.maximum(left, 0.0)))
+
 
 def train(shares: Array, outputs: Array, seed: int) -> Surrogate:
     """Fit a process to each column of the outputs.
