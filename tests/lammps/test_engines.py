@@ -201,6 +201,14 @@ def test_what_lammps_cannot_do_is_named(tmp_path):
         assert any(word in text for text in texts), word
 
 
+def test_walls_that_turn_are_named():
+    with pytest.raises(InputError) as error:
+        lammps.check(Case.from_file(EXAMPLES / "ft4_small.toml"))
+    texts = [e.what for e in (error.value, *error.value.others)]
+    for word in ("wall blade is of kind blade", "stir turns", "level with pestle"):
+        assert any(word in text for text in texts), word
+
+
 @pytest.mark.parametrize(
     ("changes", "word"),
     [

@@ -9,7 +9,7 @@ from pydantic import Field, PrivateAttr, model_validator
 from pestle.config.base import Section
 from pestle.config.checks import check_case, fill_contacts
 from pestle.config.contacts import ContactSettings, PairProperties
-from pestle.config.geometry import BoxSettings, DieSettings, Wall
+from pestle.config.geometry import AnyWall, BoxSettings, DieSettings, Wall
 from pestle.config.law import LawSettings
 from pestle.config.materials import MaterialSettings
 from pestle.config.particles import Powders
@@ -145,7 +145,7 @@ class Case(Section):
         return self.contacts.pair(first, second)
 
     @property
-    def all_walls(self) -> dict[str, Any]:
+    def all_walls(self) -> dict[str, AnyWall]:
         """Walls of the die, then the others, by name."""
         return {**(self.die.walls() if self.die else {}), **self.walls}
 

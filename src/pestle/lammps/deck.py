@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING
 
 from pestle.lammps.model import pair_model
 from pestle.lammps.motion import Leg, legs
-from pestle.lammps.support import check
+from pestle.lammps.support import check, walls_of
 
 if TYPE_CHECKING:
     from pestle.config import Case
+    from pestle.config.geometry import CylinderWall, PlaneWall
     from pestle.config.particle_file import ParticleTable
 
 SCRIPT, DATA, LOG = "in.lammps", "data.lammps", "log.lammps"
@@ -109,7 +110,7 @@ def _head(case: "Case", table: "ParticleTable") -> list[str]:
 
 def _wall(case: "Case", name: str) -> list[str]:
     """Region, contact model and total force of a wall."""
-    wall = case.all_walls[name]
+    wall = walls_of(case)[name]
     if wall.kind == "plane":
         axis = wall.normal
         numbers = " ".join(map(repr, (*wall.point, *wall.normal)))
@@ -158,14 +159,16 @@ def _wall(case: "Case", name: str) -> list[str]:
     return lines + _normal_force(name, along, wall, fixes)
 
 
-def _normal_force(name: str, along: str, wall: object, fixes: list[str]) -> list[str]:
+def _normal_force(
+    name: str, along: str, wall: "PlaneWall | CylinderWall", fixes: list[str]
+) -> list[str]:
     """Sum of the forces normal to a wall."""
-    if along:
+    if wall.kind == "plane":
         return [f"variable n_{name} equal {along}"]
-    k = max(range(3), key=lambda c: abs(wall.axis[c]))  # type: ignore[attr-defined]
+    k = max(range(3), key=lambda c: abs(wall.axis[c]))
     a, b = (c for c in range(3) if c != k)
-    x = f"({AXES[a]}-({wall.point[a]!r}))"  # type: ignore[attr-defined]
-    y = f"({AXES[b]}-({wall.point[b]!r}))"  # type: ignore[attr-defined]
+    x = f"({AXES[a]}-({wall.point[a]!r}))"
+    y = f"({AXES[b]}-({wall.point[b]!r}))"
     lines, parts = [], []
     for fix in fixes:
         radial = f"f_{fix}[{2 + a}]*{x}+f_{fix}[{2 + b}]*{y}"

@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pestle.lammps.deck import CONTACTS, LOG, PARTICLES, Deck
+from pestle.lammps.support import walls_of
 from pestle.results.write import History, ResultFile
 from pestle.simulation.output import ENERGIES
 
@@ -164,7 +165,7 @@ def _walls(
     found = []
     powders = len(case.powders)
     forces = rows[:, 12:].reshape(len(rows), -1, powders, 3).sum(axis=2)
-    for number, (name, wall) in enumerate(case.all_walls.items()):
+    for number, (name, wall) in enumerate(walls_of(case).items()):
         axis = np.array(wall.normal if wall.kind == "plane" else wall.axis)
         moved = displacement(deck, name, step)
         vector = rows[:, 2:5] - (np.array(wall.point) + axis * moved)

@@ -7,6 +7,7 @@ from pestle.errors import InputError
 
 if TYPE_CHECKING:
     from pestle.config import Case
+    from pestle.config.geometry import CylinderWall, PlaneWall
 
 LAWS = ("hertz", "jkr", "zunker2024")
 """Laws of ours that LAMMPS has."""
@@ -20,6 +21,9 @@ REASONS = {
     "crush": "a crush takes walls away, which LAMMPS' walls here cannot",
     "servo": "LAMMPS' walls here follow a prescribed motion and hold no force",
     "deform": "LAMMPS' walls here move, its box does not",
+    "carry": "carry moves a wall as a body, which LAMMPS' walls here do not",
+    "stir": "stir turns a wall as a body, which LAMMPS' walls here do not",
+    "level": "LAMMPS takes no particles away here: level with pestle first",
 }
 
 
@@ -69,8 +73,22 @@ def reasons(case: "Case") -> Iterator[tuple[str, str]]:
             yield REASONS["servo"], where
 
 
+def walls_of(case: "Case") -> "dict[str, PlaneWall | CylinderWall]":
+    """Walls of a case that LAMMPS can run, by name."""
+    from pestle.config.geometry import CylinderWall, PlaneWall
+
+    return {
+        name: wall
+        for name, wall in case.all_walls.items()
+        if isinstance(wall, PlaneWall | CylinderWall)
+    }
+
+
 def _walls(case: "Case") -> Iterator[tuple[str, str]]:
     for name, wall in case.all_walls.items():
+        if wall.kind not in ("plane", "cylinder"):
+            what = f"LAMMPS' walls here are planes and cylinders, the wall {name} is of"
+            yield f"{what} kind {wall.kind}", f"walls.{name}.kind"
         along = [abs(c) > 1.0 - 1e-12 for c in getattr(wall, "axis", ())]
         if wall.kind == "cylinder" and not any(along):
             what = f"LAMMPS' cylinders lie along x, y or z, the wall {name} does not"

@@ -91,12 +91,12 @@ def wall_rows(case: "Case", names: list[str]) -> tuple[list[str], list[Any], lis
         if w.kind == "plane":
             row = [0.0, *w.point, *w.normal, 0.0, 0.0, 0.0, 1.0, material]
             axis = w.normal
-        elif w.kind in ("mesh", "blade"):
-            here = 0.0 if w.absent else 1.0
-            row = [wl.MESH, *w.point, *w.axis, 0.0, 0.0, 0.0, here, material]
+        elif w.kind == "cylinder":
+            row = [1.0, *w.point, *w.axis, w.radius, w.bottom, w.top, 1.0, material]
             axis = w.axis
         else:
-            row = [1.0, *w.point, *w.axis, w.radius, w.bottom, w.top, 1.0, material]
+            here = 0.0 if w.absent else 1.0
+            row = [wl.MESH, *w.point, *w.axis, 0.0, 0.0, 0.0, here, material]
             axis = w.axis
         found.append(name)
         rows.append(row)
