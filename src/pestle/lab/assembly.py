@@ -97,13 +97,17 @@ class Assembly:
         )
         if status:
             raise Inverted
+        return self._assembled(tangent, new_state, stress)
+
+    def _assembled(self, tangent: bool, state: Floats, stress: Floats) -> Answer:
+        """Sum the elements' forces and stiffnesses that a pass has left."""
         force = np.empty(self.size)
         scatter(self._forces.ravel(), self.unknowns.ravel(), force)
         matrix = None
         if tangent:
             matrix = np.empty(len(self.indices))
             scatter(self._matrices.ravel(), self._places, matrix)
-        return Answer(force, matrix, new_state, stress)
+        return Answer(force, matrix, state, stress)
 
     def solve(
         self, matrix: Floats, residual: Floats, fixed: Booleans, change: Floats

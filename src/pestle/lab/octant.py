@@ -8,7 +8,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pestle.lab._scatter import scatter
 from pestle.lab._solid import solid_pass
 from pestle.lab.assembly import Answer, Assembly, Inverted
 from pestle.lab.material import Material
@@ -151,13 +150,7 @@ class SolidAssembly(Assembly):
         )
         if status:
             raise Inverted
-        force = np.empty(self.size)
-        scatter(self._forces.ravel(), self.unknowns.ravel(), force)
-        matrix = None
-        if tangent:
-            matrix = np.empty(len(self.indices))
-            scatter(self._matrices.ravel(), self._places, matrix)
-        return Answer(force, matrix, new_state, stress)
+        return self._assembled(tangent, new_state, stress)
 
 
 def _quadrature(mesh: SolidMesh) -> tuple[Floats, Floats]:
