@@ -45,7 +45,10 @@ def pair_model(case: "Case", first: str, second: str) -> str:
         work_of_adhesion=rule.work_of_adhesion,
         wall=is_wall,
     )
-    normal, damping = _normal(case, pair, rule.damping)
+    damps = rule.damping
+    if case.law.name == "zunker2024":  # one for all: that of the particles
+        damps = rules_of(case, names, adhesive=True)[a, a].damping
+    normal, damping = _normal(case, pair, damps)
     if rule.sliding_friction == 0.0:
         return f"{normal} {NONE} {damping}"
     ratio = sqrt(4.0 * pair.shear_modulus / pair.modulus)  # of the two dashpots
@@ -95,7 +98,7 @@ def notes(case: "Case") -> list[str]:
         found.append(
             "LAMMPS' MDR differs from ours: force at walls times "
             "1 + exp(10.7 delta/R - 10), a mean of ten steps for the growth of R, no "
-            "tension beyond touch, a quarter of our damping at walls."
+            "tension beyond touch; walls damp with a quarter of the pairs' ratio."
         )
         if any(pair_adheres(case)):
             found.append(
