@@ -8,7 +8,11 @@ import pytest
 from pestle import simulation
 from pestle.cli import main
 from pestle.config import Case
+from pestle.simulation.planning import duration
+from pestle.simulation.probing import sample_of
 from simulation.cases import tiny_case
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 def test_a_plan_is_near_the_run(tmp_path: Path) -> None:
@@ -43,3 +47,22 @@ def test_a_huge_case_is_planned_without_its_memory(tmp_path: Path) -> None:
     plan = simulation.plan(case)
     assert plan.particles == 100_000_000
     assert plan.memory_bytes > 1e10
+
+
+def test_the_length_of_every_step_of_the_rheometer_is_known() -> None:
+    case = Case.from_file(EXAMPLES / "ft4.toml")
+    sample = sample_of(case)
+    fill, level, stir = (duration(case, step, sample) for step in case.process)
+    assert 0.05 < fill < 1.0
+    assert level == 0.0
+    # 10 mm deep and 0.5 mm of clearance at 0.25 m/s sin(5 deg)
+    assert stir == pytest.approx(0.0105 / 0.0217889, rel=1e-5)
+
+
+@pytest.mark.parametrize("path", sorted(EXAMPLES.glob("*.toml")), ids=lambda p: p.stem)
+def test_steps_of_all_examples_have_a_length(path: Path) -> None:
+    if "[[process]]" not in path.read_text():
+        pytest.skip("not a case")
+    case = Case.from_file(path)
+    sample = sample_of(case)
+    assert all(duration(case, step, sample) >= 0.0 for step in case.process)

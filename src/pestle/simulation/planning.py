@@ -124,13 +124,17 @@ def duration(case: "Case", step: Any, sample: Sample) -> float:
     given = getattr(step, "duration", None)
     if given is not None:
         return float(given)
+    if step.step == "level":
+        return 0.0
     dropped, filled, pressed = powder_heights(case, sample)
     if step.step == "fill":
         gravity = float(np.linalg.norm(case.engine.gravity))
         fall = (2.0 * dropped / max(gravity, 1e-12)) ** 0.5
         return float(min(2.0 * fall, step.max_time))
-    if step.step == "move" and step.program is not None:
+    if getattr(step, "program", None) is not None:
         return float(step.program[-1][0])
+    if step.step == "stir":
+        return stirring(case, step, sample)
     way = 0.0
     if step.step == "move":
         way = (
@@ -146,6 +150,18 @@ def duration(case: "Case", step: Any, sample: Sample) -> float:
     elif case.die is not None and step.step == "crush":
         way = 0.5 * step.to * 2.0 * case.die.radius  # it breaks about half-way
     return float(way / step.at)
+
+
+def stirring(case: "Case", step: Any, sample: Sample) -> float:
+    """Time from the depth at which the step before ended, or from the clearance [s]."""
+    clearance = sample.mean if step.clearance is None else step.clearance
+    before = -clearance
+    for other in case.process:
+        if other is step:
+            break
+        if other.step == "stir" and other.wall == step.wall:
+            before = other.to
+    return float(abs(step.to - before) / (step.tip_speed * np.sin(step.helix_angle)))
 
 
 def inertial_number(case: "Case", step: Any, sample: Sample) -> float | None:
