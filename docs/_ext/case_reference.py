@@ -23,6 +23,7 @@ SECTIONS = {
     "[walls.NAME], a cylinder": "CylinderWall",
     "[walls.NAME], a mesh": "MeshWall",
     "[walls.NAME], a blade": "BladeWall",
+    "[walls.NAME], a shear head": "ShearHead",
     "[box]": "BoxSettings",
     "[engine]": "EngineSettings",
     "[[process]]": "process",

@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pestle import _jit
+from pestle.config import size_table
 from pestle.errors import InputError
 
 Array = npt.NDArray[np.float64]
@@ -16,6 +17,8 @@ def draw_radii(sizes: Any, count: int, random: np.random.Generator) -> Array:
     kind = sizes.distribution
     if kind == "single":
         return np.full(count, sizes.mean)
+    if kind in ("rosin-rammler", "table"):
+        return size_table.draw(sizes, count, random)
     radii = np.empty(0)
     while len(radii) < count:
         if kind == "uniform":
@@ -30,6 +33,18 @@ def draw_radii(sizes: Any, count: int, random: np.random.Generator) -> Array:
         inside = drawn[(drawn >= sizes.minimum) & (drawn <= sizes.maximum)]
         radii = np.concatenate([radii, inside])
     return radii[:count]
+
+
+def draw_mass(sizes: Any, volume: float, random: np.random.Generator) -> Array:
+    """Draw radii until the spheres have a volume [m^3], to half of one sphere [m]."""
+    radii = np.empty(0)
+    filled = np.zeros(1)
+    while filled[-1] < volume:
+        each = 4.0 / 3.0 * np.pi * sizes.mean_cube
+        missing = int(1.05 * (volume - filled[-1]) / each) + 10
+        radii = np.concatenate([radii, draw_radii(sizes, missing, random)])
+        filled = np.cumsum(4.0 / 3.0 * np.pi * radii**3)
+    return radii[: max(int(np.argmin(np.abs(filled - volume))) + 1, 1)]
 
 
 @_jit.njit

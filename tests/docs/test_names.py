@@ -31,6 +31,7 @@ def sections():
         "walls.cylinder": "CylinderWall",
         "walls.mesh": "MeshWall",
         "walls.blade": "BladeWall",
+        "walls.shear_head": "ShearHead",
         "box": "BoxSettings",
         "engine": "EngineSettings",
         "output": "OutputSettings",

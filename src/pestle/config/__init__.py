@@ -9,10 +9,11 @@ from pestle.config.geometry import (
     DieSettings,
     MeshWall,
     PlaneWall,
+    ShearHead,
 )
 from pestle.config.law import LawSettings
 from pestle.config.materials import MaterialSettings
-from pestle.config.particles import ParticleSettings, SizeDistribution
+from pestle.config.particles import ParticleSettings
 from pestle.config.process import (
     Crush,
     Deform,
@@ -25,8 +26,9 @@ from pestle.config.process import (
     Servo,
     Unload,
 )
-from pestle.config.process_bodies import Carry, Level, Stir
+from pestle.config.process_bodies import Carry, Level, Lift, Shear, Stir
 from pestle.config.settings import EngineSettings, OutputSettings
+from pestle.config.sizes import SizeDistribution
 
 __all__ = [
     "BladeWall",
@@ -44,6 +46,7 @@ __all__ = [
     "Hold",
     "LawSettings",
     "Level",
+    "Lift",
     "MaterialSettings",
     "MeshWall",
     "Move",
@@ -55,6 +58,8 @@ __all__ = [
     "Press",
     "Relax",
     "Servo",
+    "Shear",
+    "ShearHead",
     "SizeDistribution",
     "Stir",
     "Unload",

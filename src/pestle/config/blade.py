@@ -21,7 +21,7 @@ def blade_mesh(blade: "BladeWall") -> tuple[Array, Array]:
     Both are closed; the foot of the shaft is in the wings.
     """
     wings, faces = _wings(blade)
-    shaft, round_ = _cylinder(0.5 * blade.shaft_diameter, blade.shaft_height)
+    shaft, round_ = cylinder(0.5 * blade.shaft_diameter, blade.shaft_height)
     return np.concatenate([wings, shaft]), np.concatenate([faces, round_ + len(wings)])
 
 
@@ -56,19 +56,20 @@ def _wings(blade: "BladeWall") -> tuple[Array, Array]:
     return vertices.reshape(-1, 3), np.concatenate(faces)
 
 
-def _cylinder(radius: float, height: float) -> tuple[Array, Array]:
-    angle = 2.0 * pi * np.arange(_ROUND) / _ROUND
+def cylinder(radius: float, height: float, sides: int = _ROUND) -> tuple[Array, Array]:
+    """Vertices from the middle of the lower end [m] and triangles of a closed prism."""
+    angle = 2.0 * pi * np.arange(sides) / sides
     ring = radius * np.column_stack([np.cos(angle), np.sin(angle)])
-    low, high = (np.column_stack([ring, np.full(_ROUND, z)]) for z in (0.0, height))
+    low, high = (np.column_stack([ring, np.full(sides, z)]) for z in (0.0, height))
     ends = np.array([[0.0, 0.0, 0.0], [0.0, 0.0, height]])
-    a = np.arange(_ROUND)
+    a = np.arange(sides)
     b = np.roll(a, -1)
-    n = 2 * _ROUND
+    n = 2 * sides
     faces = (
-        (a, b, b + _ROUND),
-        (a, b + _ROUND, a + _ROUND),
-        (b, a, np.full(_ROUND, n)),
-        (a + _ROUND, b + _ROUND, np.full(_ROUND, n + 1)),
+        (a, b, b + sides),
+        (a, b + sides, a + sides),
+        (b, a, np.full(sides, n)),
+        (a + sides, b + sides, np.full(sides, n + 1)),
     )
     return (
         np.concatenate([low, high, ends]),

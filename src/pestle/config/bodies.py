@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pestle.config.geometry import BladeWall, MeshWall
+from pestle.config.geometry import BladeWall, MeshWall, ShearHead
 from pestle.errors import InputError
 
 if TYPE_CHECKING:
@@ -22,6 +22,10 @@ def surface_of(case: "Case", name: str) -> tuple[Any, Any]:
         from pestle.config.blade import blade_mesh
 
         return blade_mesh(wall)
+    if isinstance(wall, ShearHead):
+        from pestle.config.shear_head import head_mesh
+
+        return head_mesh(wall)
     assert isinstance(wall, MeshWall)
     from pestle.config.mesh_file import read_mesh
 

@@ -138,7 +138,16 @@ class Case(Section):
     @property
     def is_generated(self) -> bool:
         """Whether the particles are generated, not read."""
-        return all(group.count is not None for group in self.particles)
+        return all(group.is_generated for group in self.particles)
+
+    @property
+    def generated(self) -> tuple[int, ...]:
+        """Number of particles to generate of each powder; of a mass, to be expected."""
+        densities = (self.materials.get(g.material or "") for g in self.particles)
+        return tuple(
+            group.number((material and material.density) or 1.0)
+            for group, material in zip(self.particles, densities, strict=True)
+        )
 
     def pair(self, first: str, second: str) -> PairProperties:
         """Friction, damping and adhesion of a pair of materials."""

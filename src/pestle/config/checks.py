@@ -8,7 +8,6 @@ from pestle.errors import did_you_mean
 
 if TYPE_CHECKING:
     from pestle.config.case import Case
-    from pestle.config.particles import ParticleSettings
 
 MOST_PARTICLES = 10**8
 """Largest number of particles in one case [-]."""
@@ -85,7 +84,7 @@ def _check_particles(case: "Case") -> None:
     if not case.is_generated:
         _check_one_source(case)
         return
-    total = sum(group.count or 0 for group in case.particles)
+    total = sum(case.generated)
     where = group_key(case, len(case.particles) - 1, "count")
     if total > MOST_PARTICLES:
         what = f"{total} particles are more than {MOST_PARTICLES:.10g}"
@@ -98,7 +97,12 @@ def _check_particles(case: "Case") -> None:
             where,
         )
     volume = case.die.volume if case.die else case.box.volume if case.box else 0.0
-    fraction = sum(_solid_volume(group) for group in case.particles) / volume
+    solid = sum(
+        number * 4.18879 * group.radius.mean_cube
+        for number, group in zip(case.generated, case.particles, strict=True)
+        if group.radius
+    )
+    fraction = solid / volume
     if fraction > DENSEST_FILL:
         place = "die" if case.die else "box"
         means = ", ".join(f"{g.radius.mean:g} m" for g in case.particles if g.radius)
@@ -115,7 +119,7 @@ def _check_particles(case: "Case") -> None:
 def _check_one_source(case: "Case") -> None:
     """Particles that are read come from one place and are not mixed with others."""
     for number, group in enumerate(case.particles):
-        if group.count is None and len(case.particles) > 1:
+        if not group.is_generated and len(case.particles) > 1:
             key = "start_from" if group.file is None else "file"
             raise problem(
                 "contradiction",
@@ -124,14 +128,6 @@ def _check_one_source(case: "Case") -> None:
                 "each particle's powder in a column material",
                 group_key(case, number, key),
             )
-
-
-def _solid_volume(group: "ParticleSettings") -> float:
-    """Volume of all particles of a powder, from the moments of its radius [m^3]."""
-    assert group.radius is not None
-    mean, deviation = group.radius.mean, group.radius.deviation
-    cubed = mean**3 + 3.0 * mean * deviation**2
-    return (group.count or 0) * 4.18879 * cubed
 
 
 def fill_contacts(data: Any) -> Any:

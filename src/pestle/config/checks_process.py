@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from pestle.config.base import problem
-from pestle.config.geometry import CylinderWall
+from pestle.config.geometry import CylinderWall, ShearHead
 from pestle.config.process import (
     Crush,
     Deform,
@@ -15,7 +15,7 @@ from pestle.config.process import (
     Servo,
     Unload,
 )
-from pestle.config.process_bodies import Carry, Stir
+from pestle.config.process_bodies import Carry, Lift, Shear, Stir
 from pestle.errors import did_you_mean
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ def check_process(case: "Case") -> None:
     ejected = any(group.start_from is not None for group in case.particles)
     for number, stage in enumerate(case.process):
         key = ("process", number)
-        if isinstance(stage, Fill | Eject | Crush) and case.die is None:
+        if isinstance(stage, Fill | Eject | Crush | Lift) and case.die is None:
             raise problem(
                 "needs-die",
                 f'the step "{stage.step}" needs a [die]',
@@ -42,7 +42,7 @@ def check_process(case: "Case") -> None:
             _check_wall(case, stage, key)
         if isinstance(stage, Move):
             _check_move(case, stage, key)
-        if isinstance(stage, Carry | Stir):
+        if isinstance(stage, Carry | Stir | Shear):
             _check_body(case, stage, key)
         if isinstance(stage, Deform) and case.box is None:
             what = 'the step "deform" needs a periodic [box]'
@@ -110,8 +110,17 @@ def _check_wall(case: "Case", stage: _Driven, key: tuple[str | int, ...]) -> Non
         )
 
 
-def _check_body(case: "Case", stage: Carry | Stir, key: tuple[str | int, ...]) -> None:
-    kinds = ("blade",) if isinstance(stage, Stir) else ("mesh", "blade")
+_KINDS = {
+    "carry": ("mesh", "blade", "shear_head"),
+    "stir": ("blade",),
+    "shear": ("shear_head",),
+}
+
+
+def _check_body(
+    case: "Case", stage: Carry | Stir | Shear, key: tuple[str | int, ...]
+) -> None:
+    kinds = _KINDS[stage.step]
     wall = case.walls.get(stage.wall)
     if wall is None:
         what = f'there is no wall "{stage.wall}" for the step "{stage.step}"'
@@ -120,6 +129,9 @@ def _check_body(case: "Case", stage: Carry | Stir, key: tuple[str | int, ...]) -
     if wall.kind not in kinds:
         what = f'the wall "{stage.wall}" is a {wall.kind}; "{stage.step}" moves a '
         raise problem("wrong-wall", what + " or a ".join(kinds), None, (*key, "wall"))
+    if stage.step == "shear" and isinstance(wall, ShearHead) and wall.facing == "up":
+        what = f'the wall "{stage.wall}" faces up; "shear" turns one that faces down'
+        raise problem("wrong-wall", what, None, (*key, "wall"))
 
 
 def _check_move(case: "Case", stage: Move, key: tuple[str | int, ...]) -> None:

@@ -157,7 +157,78 @@ class BladeWall(Section):
         return (0.0, 0.0, -1.0)
 
 
-AnyWall = PlaneWall | CylinderWall | MeshWall | BladeWall
+class ShearHead(Section):
+    """Disc with radial vanes that grip the powder: head or base of a shear cell.
+
+    Disc and vanes are closed meshes; the vanes reach from the hub to the rim.
+    """
+
+    kind: Literal["shear_head"] = "shear_head"
+    """shear_head"""
+    diameter: Length
+    """Diameter of the disc [m]."""
+    thickness: Length
+    """Thickness of the disc [m]."""
+    vanes: Annotated[int, WholeNumber(1, 200)]
+    """Number of vanes, evenly around the axis [-]."""
+    vane_depth: Length
+    """How far the vanes reach out of the disc, into the powder [m]."""
+    vane_thickness: Length
+    """Thickness of a vane [m]."""
+    hub_diameter: Length | None = None
+    """Diameter inside which there are no vanes [m]; by default a quarter of the
+    disc's."""
+    facing: Literal["down", "up"] = "down"
+    """Side on which the vanes are: down for a head on the powder, up for a base."""
+    point: Point = (0.0, 0.0, 0.0)
+    """Middle of the disc's face between the vanes, about which it turns [m]."""
+    absent: Flag = True
+    """Whether it comes in only when a step of the process first moves it."""
+    material: Name
+    """Material of disc and vanes, a name in [materials]."""
+
+    @model_validator(mode="after")
+    def _check(self) -> "ShearHead":
+        if self.hub >= self.diameter:
+            raise problem(
+                "contradiction",
+                f"hub_diameter {self.hub:g} m is not below diameter "
+                f"{self.diameter:g} m",
+                "the vanes reach from the hub to the rim",
+                key=("hub_diameter",),
+            )
+        if self.vanes * self.vane_thickness >= 3.14159 * self.hub:
+            raise problem(
+                "contradiction",
+                f"{self.vanes} vanes of {self.vane_thickness:g} m meet at the hub of "
+                f"{self.hub:g} m diameter",
+                "fewer or thinner vanes, or a larger hub_diameter",
+                key=("vanes",),
+            )
+        return self
+
+    @property
+    def hub(self) -> float:
+        """Diameter of the hub [m]."""
+        return self.hub_diameter or 0.25 * self.diameter
+
+    @property
+    def radius(self) -> float:
+        """Radius of the disc [m]."""
+        return 0.5 * self.diameter
+
+    @property
+    def area(self) -> float:
+        """Area of the disc [m^2]."""
+        return 3.141592653589793 * self.radius**2
+
+    @property
+    def axis(self) -> Vector:
+        """Direction of its displacement: into the powder [-]."""
+        return (0.0, 0.0, -1.0 if self.facing == "down" else 1.0)
+
+
+AnyWall = PlaneWall | CylinderWall | MeshWall | BladeWall | ShearHead
 Wall = Annotated[AnyWall, Field(discriminator="kind")]
 
 

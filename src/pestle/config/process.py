@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, model_validator
 
 from pestle.config.base import problem
-from pestle.config.process_bodies import Carry, Level, Stir
+from pestle.config.process_bodies import Carry, Level, Lift, Shear, Stir
 from pestle.config.quantities import (
     Coordinate,
     Distance,
@@ -270,7 +270,9 @@ Step = Annotated[
     | Deform
     | Carry
     | Stir
-    | Level,
+    | Level
+    | Shear
+    | Lift,
     Field(discriminator="step"),
 ]
 
@@ -288,6 +290,8 @@ STEPS: dict[str, type[Stage]] = {
     "carry": Carry,
     "stir": Stir,
     "level": Level,
+    "shear": Shear,
+    "lift": Lift,
 }
 """Steps by the word that the case file uses."""
 

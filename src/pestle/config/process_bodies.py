@@ -8,16 +8,20 @@ from pydantic import model_validator
 from pestle.config.base import problem
 from pestle.config.quantities import (
     Coordinate,
+    Duration,
     Length,
     Name,
     Quantity,
     Rate,
     Speed,
+    Stress,
     Time,
     Velocity,
 )
 from pestle.config.stage import Stage
 
+AngularSpeed = Annotated[float, Quantity("1/s", above=0.0, most=1e6)]
+TurnAngle = Annotated[float, Quantity("rad", above=0.0, most=1e4)]
 HelixAngle = Annotated[float, Quantity("rad", above=0.0, below=1.5707)]
 
 
@@ -27,7 +31,7 @@ class Carry(Stage):
     step: Literal["carry"] = "carry"
     """carry"""
     wall: Name
-    """A wall of kind mesh or blade; it turns about its point."""
+    """A wall of kind mesh, blade or shear_head; it turns about its point."""
     program: tuple[tuple[Time, Velocity, Velocity, Velocity, Rate, Rate, Rate], ...]
     """Rows of time, velocity along x, y, z and angular velocity about x, y, z, linear
     in between ([s], [m/s], [1/s]); the step ends with the last row."""
@@ -75,3 +79,44 @@ class Level(Stage):
     """level"""
     height: Coordinate
     """Height along z of the new surface [m]."""
+
+
+class Shear(Stage):
+    """Turn the head of a shear cell under a normal stress, through an angle.
+
+    An absent head comes down to the powder first.  The head then presses until it has
+    the stress, which is kept while it turns; the step ends with the angle.
+    """
+
+    step: Literal["shear"] = "shear"
+    """shear"""
+    wall: Name = "head"
+    """A wall of kind shear_head that faces down."""
+    stress: Stress
+    """Normal stress over the area of the head's disc [Pa]."""
+    angle: TurnAngle
+    """Angle through which the head turns, anticlockwise as seen from above [rad], as
+    "30 deg"."""
+    angular_speed: AngularSpeed
+    """Angular speed of the head [1/s], as "2 rpm"."""
+    role: Literal["pre-shear", "yield"] = "yield"
+    """pre-shear: to steady flow at the consolidation stress; yield: a point of the
+    yield locus, at a lower stress."""
+    at: Speed | None = None
+    """Speed at which an absent head comes down [m/s]; by default that of its rim."""
+
+    @property
+    def duration(self) -> float:
+        """Time of turning [s]."""
+        return self.angle / self.angular_speed
+
+
+class Lift(Stage):
+    """Lift the die off the powder and wait until the heap is at rest."""
+
+    step: Literal["lift"] = "lift"
+    """lift"""
+    at: Speed
+    """Speed of the die [m/s]."""
+    max_time: Duration = 1.0
+    """Longest time to wait until the heap is at rest [s]."""

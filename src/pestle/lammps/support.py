@@ -24,6 +24,8 @@ REASONS = {
     "deform": "LAMMPS' walls here move, its box does not",
     "carry": "carry moves a wall as a body, which LAMMPS' walls here do not",
     "stir": "stir turns a wall as a body, which LAMMPS' walls here do not",
+    "shear": "shear turns a wall under a force, which LAMMPS' walls here do not",
+    "lift": "a lift takes the die away, which LAMMPS' walls here cannot",
     "level": "LAMMPS takes no particles away here: level with pestle first",
 }
 

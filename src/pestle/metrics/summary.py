@@ -8,9 +8,11 @@ from typing import Any
 from pestle.metrics.die_curves import DieCurves, die_curves
 from pestle.metrics.die_metrics import fit_metrics, pressing_metrics, release_metrics
 from pestle.metrics.flow_metrics import flow_metrics
+from pestle.metrics.heap import heap_metrics
 from pestle.metrics.metric import Metric
 from pestle.metrics.numerics_metrics import energy_metrics, numerics_metrics
 from pestle.metrics.powder_metrics import powder_metrics
+from pestle.metrics.shear_metrics import shear_metrics
 from pestle.metrics.tablet_metrics import tablet_metrics
 from pestle.results.folder import METRICS, RunFolder
 
@@ -76,7 +78,8 @@ def summarise(folder: RunFolder) -> Summary:
     if curves is not None:
         metrics += pressing_metrics(curves) + fit_metrics(curves)
         metrics += release_metrics(curves, folder) + tablet_metrics(curves, folder)
-    metrics += flow_metrics(folder) + powder_metrics(folder)
+    metrics += flow_metrics(folder) + shear_metrics(folder) + heap_metrics(folder)
+    metrics += powder_metrics(folder)
     if folder.history is not None:
         metrics += energy_metrics(folder.history)
         metrics += numerics_metrics(folder.history, curves)

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from pestle.metrics import Metric, Summary, summarise, write_metrics
 from pestle.metrics.flow_metrics import flow_curves
+from pestle.metrics.heap import heap
+from pestle.metrics.shear_cell import shear_curves
 from pestle.metrics.tablet_metrics import key_frames
 from pestle.report.inputs import input_tables
 from pestle.report.numbers import duration, shown, with_unit
@@ -24,6 +26,11 @@ _HERO = (
     "axial_spring_back",
     "tensile_strength",
     "flow_energy",
+    "internal_friction_angle",
+    "cohesion",
+    "flow_function_coefficient",
+    "steady_friction",
+    "angle_of_repose",
     "bulk_density",
     "radial_transmission",
     "coordination_pressed",
@@ -183,6 +190,10 @@ def _figures(run: RunFolder, summary: Summary) -> dict[str, str]:
         drawn["walls"] = plots.wall_forces(run.history)
     if summary.value("flow_energy") is not None:
         drawn["flow"] = plots.flow_energy(flow_curves(run))
+    drawn["shear"] = plots.shear_cell(shear_curves(run))
+    pile = heap(run)
+    if pile is not None:
+        drawn["heap"] = plots.heap_profile(pile)
     if run.history is not None and summary.value("work_put_in") is not None:
         drawn["energy"] = plots.energy_ledger(run.history, _after_filling(run))
     frames = key_frames(run)

@@ -89,6 +89,8 @@ def _powder(case: "Case", particles: "ParticleSettings") -> Rows:
     rows: Rows = [("material", material)]
     if particles.count is not None:
         rows.append(("count", f"{particles.count:,}"))
+    if particles.mass is not None:
+        rows.append(("mass", with_unit(particles.mass, "kg")))
     if particles.radius is not None:
         radius = particles.radius
         rows.append(("mean radius", with_unit(radius.mean, "m")))

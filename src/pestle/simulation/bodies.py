@@ -9,19 +9,13 @@ from pestle.config.geometry import BladeWall
 from pestle.engine import step as st
 from pestle.engine import walls as wl
 from pestle.errors import InputError
+from pestle.simulation.entering import come_in
 from pestle.simulation.start import begin_ledger
 
 if TYPE_CHECKING:
     from pestle.simulation.runner import Runner
 
 Conditions = list[tuple[int, int, float]]
-
-
-def come_in(run: "Runner", w: int) -> None:
-    """Bring a body in, if it is absent so far."""
-    if run.engine.wall[w, wl.ACTIVE] == 0.0:
-        run.engine.wall[w, wl.ACTIVE] = 1.0
-        run.engine.rebuild()
 
 
 def carry_go(run: "Runner", step: Any) -> Conditions:
@@ -49,14 +43,19 @@ def depth(run: "Runner", name: str) -> float:
     return surface(run) - lowest
 
 
+def lift_over(run: "Runner", name: str, clearance: float) -> None:
+    """Put a body that faces down so high above the surface [m]."""
+    w, lift = run.wall(name), depth(run, name) + clearance
+    run.engine.wall[w, wl.POINT + 2] += lift
+    run.engine.move[w, wl.DISPLACEMENT] -= lift
+
+
 def stir_go(run: "Runner", step: Any) -> Conditions:
     """Send the blade down or up its helix, from above the surface if it was absent."""
     engine, w = run.engine, run.wall(step.wall)
     if engine.wall[w, wl.ACTIVE] == 0.0:
         mean = float(engine.pos[:, 3].mean())
-        lift = depth(run, step.wall) + (step.clearance or mean)
-        engine.wall[w, wl.POINT + 2] += lift
-        engine.move[w, wl.DISPLACEMENT] -= lift
+        lift_over(run, step.wall, step.clearance or mean)
         come_in(run, w)
     way = step.to - depth(run, step.wall)
     down = 1.0 if way >= 0.0 else -1.0

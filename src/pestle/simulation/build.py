@@ -15,6 +15,9 @@ from pestle.laws import Hertz, Solid
 if TYPE_CHECKING:
     from pestle.config import Case
 
+BODIES = ("mesh", "blade", "shear_head")
+"""Kinds of walls that are bodies of triangles."""
+
 PLATENS = ("platen_left", "platen_right")
 
 
@@ -117,7 +120,7 @@ def surfaces_of(case: "Case", names: list[str]) -> dict[int, Surface]:
     return {
         number: Surface(*case.surface(name))
         for number, name in enumerate(names)
-        if name in case.walls and case.walls[name].kind in ("mesh", "blade")
+        if name in case.walls and case.walls[name].kind in BODIES
     }
 
 

@@ -16,6 +16,8 @@ def stage_info(run: "Runner", step: Any) -> dict[str, Any]:
     info: dict[str, Any] = {}
     if step.step == "stir":
         info |= run.memory["stir"]
+    if step.step == "shear":
+        info |= run.memory["shear"]
     if run.case.die is None:
         return info
     if step.step in ("press", "hold"):

@@ -81,7 +81,7 @@ def sample_of(case: "Case") -> Sample:
         _, _, radius, density, material = earlier(case)
         some = slice(None, None, -(-len(radius) // LARGEST))
         return Sample(len(radius), radius[some], density[some], material[some])
-    total = sum(group.count or 0 for group in case.particles)
+    total = sum(case.generated)
     random = np.random.default_rng(case.seed)
     radius, density, material = drawn(case, random, min(1.0, LARGEST / total))
     return Sample(total, radius, density * scale, material)

@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pestle.config.geometry import ShearHead
 from pestle.engine import step as st
 from pestle.engine import walls as wl
 from pestle.errors import InputError
-from pestle.simulation.bodies import carry_go, level_go, stir_go
+from pestle.simulation.bodies import carry_go, level_go, lift_over, stir_go
+from pestle.simulation.entering import come_in
 from pestle.simulation.start import harden
 
 if TYPE_CHECKING:
@@ -70,11 +72,11 @@ def fill_fall(run: "Runner", step: Any) -> Conditions:
     return [until(run, min(fall, step.max_time))]
 
 
-def fill_settle(run: "Runner", step: Any) -> Conditions:
-    """Wait until the kinetic energy is 1e-4 of a fall through one radius."""
+def fill_settle(run: "Runner", step: Any, share: float = 1e-4) -> Conditions:
+    """Wait until the kinetic energy is a share of a fall through one radius."""
     engine = run.engine
     weight = float(engine.vel[:, 3].sum() * np.linalg.norm(engine.gravity))
-    rest = 1e-4 * weight * float(engine.pos[:, 3].mean())
+    rest = share * weight * float(engine.pos[:, 3].mean())
     return [(st.AT_REST, -1, rest), until(run, step.max_time)]
 
 
@@ -113,12 +115,15 @@ def hold_go(run: "Runner", step: Any) -> Conditions:
     return [until(run, step.duration)]
 
 
-def servo(run: "Runner", wall: int, force: float) -> None:
-    """Control a wall: it may move a hundredth of a mean radius in fifty steps."""
+def servo(run: "Runner", wall: int, force: float, relax: float = 50.0) -> None:
+    """Control a wall: it may move a hundredth of a mean radius in fifty steps.
+
+    It seeks the force within so many steps.
+    """
     engine = run.engine
     dt = float(engine.clock[st.DT])
     mean = float(engine.pos[:, 3].mean())
-    engine.hold_force(wall, force, 2e-4 * mean / dt, 50.0 * dt)
+    engine.hold_force(wall, force, 2e-4 * mean / dt, relax * dt)
 
 
 def unload_go(run: "Runner", step: Any) -> Conditions:
@@ -234,6 +239,82 @@ def deform_go(run: "Runner", step: Any) -> Conditions:
     return [until(run, step.duration)]
 
 
+# ------------------------------------------------------------------ shear cell, heap
+
+
+def push(run: "Runner", wall: int) -> float:
+    """Force of a wall on the particles along its drive axis [N]."""
+    return float(run.engine.total[wall, :3] @ run.engine.move[wall, :3])
+
+
+def shear_head(run: "Runner", step: Any) -> ShearHead:
+    """Head that a step turns."""
+    head = run.case.walls[step.wall]
+    assert isinstance(head, ShearHead)
+    return head
+
+
+def shear_approach(run: "Runner", step: Any) -> Conditions:
+    """Bring an absent head down until it carries half of its load."""
+    w = run.wall(step.wall)
+    if run.engine.wall[w, wl.ACTIVE] > 0.0:
+        return []
+    lift_over(run, step.wall, 1e-3 * float(run.engine.pos[:, 3].mean()))
+    come_in(run, w)
+    head = shear_head(run, step)
+    go(run, w, step.at or step.angular_speed * head.radius)
+    return [(st.FORCE_ABOVE, w, 0.5 * step.stress * head.area)]
+
+
+def shear_load(run: "Runner", step: Any) -> Conditions:
+    """Seek the normal stress with the head at rest, to 2 %."""
+    w = run.wall(step.wall)
+    force = step.stress * shear_head(run, step).area
+    servo(run, w, force, relax=10.0)  # a bed that is sheared shrinks and swells
+    if push(run, w) < force:
+        return [(st.FORCE_ABOVE, w, 0.98 * force)]
+    return [(st.FORCE_BELOW, w, 1.02 * force)]
+
+
+def shear_turn(run: "Runner", step: Any) -> Conditions:
+    """Turn the head under the stress."""
+    w = run.wall(step.wall)
+    run.engine.set_motion(
+        w,
+        np.array([0.0, FOREVER]),
+        np.zeros((2, 3)),
+        np.array([[0.0, 0.0, step.angular_speed]] * 2),
+    )
+    run.memory["shear"] = {
+        "wall": step.wall,
+        "role": step.role,
+        "stress": step.stress,
+        "radius": shear_head(run, step).radius,
+        "angular_speed": step.angular_speed,
+        "start_of_turning": run.engine.time,
+    }
+    return [until(run, step.duration)]
+
+
+def lift_go(run: "Runner", step: Any) -> Conditions:
+    """Lift the die until its rim is above all particles."""
+    engine, w = run.engine, run.wall("die")
+    go(run, w, step.at)
+    top = float((engine.pos[:, 2] + engine.pos[:, 3]).max())
+    rim = float(engine.wall[w, wl.POINT + 2] + engine.wall[w, wl.BOTTOM])
+    return [(st.MOVED, w, displacement(run, w) + top - rim)]
+
+
+def lift_settle(run: "Runner", step: Any) -> Conditions:
+    """Take the die away and wait until the heap is at rest.
+
+    That is ten times the kinetic energy of settled powder: single spheres go on
+    spinning about a vertical axis, which no friction of a contact point brakes.
+    """
+    run.remove("die")
+    return fill_settle(run, step, 1e-3)
+
+
 PHASES: dict[str, tuple[Phase, ...]] = {
     "fill": (fill_fall, fill_settle, fill_harden),
     "press": (press_go,),
@@ -248,4 +329,6 @@ PHASES: dict[str, tuple[Phase, ...]] = {
     "carry": (carry_go,),
     "stir": (stir_go,),
     "level": (level_go,),
+    "shear": (shear_approach, shear_load, shear_turn),
+    "lift": (lift_go, lift_settle),
 }

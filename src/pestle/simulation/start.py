@@ -8,7 +8,7 @@ import numpy.typing as npt
 from pestle.engine import step as st
 from pestle.engine import walls as wl
 from pestle.errors import InputError
-from pestle.packing import draw_radii, place_in_die
+from pestle.packing import draw_mass, draw_radii, place_in_die
 from pestle.simulation import checkpoint
 from pestle.simulation.build import make_engine
 
@@ -36,7 +36,10 @@ def start(run: "Runner") -> None:
     elif case.die is not None and filling:
         random = np.random.default_rng(case.seed)
         radius, density, material = drawn(case, random)
-        place, run.memory["column"] = place_in_die(radius, case.die.radius, random)
+        place, height = place_in_die(radius, case.die.radius, random)
+        floor = standing(case)
+        place[:, 2] += floor
+        run.memory["column"] = floor + height
     else:
         raise InputError(
             "no-start",
@@ -53,6 +56,16 @@ def start(run: "Runner") -> None:
     begin_ledger(run)
 
 
+def standing(case: "Case") -> float:
+    """Height of what stands in the die from the start; powder begins above it [m]."""
+    tops = [
+        wall.point[2] + float(case.surface(name)[0][:, 2].max())
+        for name, wall in case.walls.items()
+        if not getattr(wall, "absent", True)
+    ]
+    return max([0.0, *tops])
+
+
 def drawn(
     case: "Case", random: np.random.Generator, share: float = 1.0
 ) -> tuple[Array, Array, Array]:
@@ -64,12 +77,18 @@ def drawn(
     radius, density, material = [], [], []
     for group in case.particles:
         assert group.radius is not None
-        assert group.count is not None
         assert group.material is not None
-        count = max(round(share * group.count), 1)
-        radius.append(draw_radii(group.radius, count, random))
-        density.append(np.full(count, case.materials[group.material].density))
-        material.append(np.full(count, powders.index(group.material)))
+        each = case.materials[group.material].density
+        assert each is not None
+        if group.mass is not None:
+            radii = draw_mass(group.radius, share * group.mass / each, random)
+        else:
+            assert group.count is not None
+            count = max(round(share * group.count), 1)
+            radii = draw_radii(group.radius, count, random)
+        radius.append(radii)
+        density.append(np.full(len(radii), each))
+        material.append(np.full(len(radii), powders.index(group.material)))
     return np.concatenate(radius), np.concatenate(density), np.concatenate(material)
 
 

@@ -133,7 +133,7 @@ def _row(
     place = folder.resolve() / RUNS / name
     job = Job(name, path, changes, str(place))
     outcome = stored(place) or WAITING
-    particles = sum(group.count or 0 for group in case.particles)
+    particles = sum(case.generated)
     return Row(number, point, changes["seed"], values, job, outcome, particles)
 
 
