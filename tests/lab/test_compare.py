@@ -53,7 +53,8 @@ def test_parameter_set_as_a_law(pressed, tmp_path):
     gammas = fits.PAPER["edmans2020"]
     names = tuple(f"gamma_{i}" for i in range(1, 6))
     zero = (0.0,) * 4
-    found = fits.Fit("edmans2020", "Eq. 3", names, gammas, None, zero, None, 560)
+    five = (0.0,) * 5
+    found = fits.Fit("edmans2020", "Eq. 3", names, gammas, None, zero, None, 560, five)
     fits.save(found, "mine", path)
     own = compare(f"shahin2021+{path}", pressed)
     law = compare("shahin2021+edmans2020", pressed)

@@ -99,6 +99,7 @@ def test_fit_finds_the_constants_again():
     found = fits.fit("edmans2020", made_up(gammas))
     assert found.constants == pytest.approx(gammas, rel=1e-3)
     assert found.errors[-1] < 1e-3
+    assert max(found.spread) < 1e-2  # nothing scatters
     assert found.published_errors[-1] > 0.01
     assert found.count == 560
 

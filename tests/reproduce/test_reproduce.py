@@ -14,8 +14,8 @@ WANTED = {
     "shahin2021": " ".join(f"figure-2.{n}" for n in [*range(14, 24), *range(26, 31)])
     + " figure-3.6 figure-3.7 figure-3.8 figure-3.9 figure-3.10 table-2.4 table-3.1 "
     "table-A.1 table-C.1",
-    "edmans2020": "figure-1 figure-5 figure-6 figure-7 figure-15 figure-16 figure-17 "
-    "table-1",
+    "edmans2020": " ".join(f"figure-{n}" for n in [1, *range(3, 14), *range(15, 23)])
+    + " table-1",
     "nan2022": "figure-5 figure-6 figure-7 figure-8 figure-9 figure-10 figure-13 "
     "table-2 table-3 table-6 table-cy",
 }

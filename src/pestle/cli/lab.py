@@ -7,6 +7,8 @@ import typer
 
 from pestle.cli.lab_compare import compare
 from pestle.cli.lab_confined import confined
+from pestle.cli.lab_law import law
+from pestle.cli.lab_laws import laws
 from pestle.cli.lab_options import ProgressLines, depths_of, mesh_of, numbers_of
 from pestle.cli.lab_study import study
 from pestle.cli.options import AsJson
@@ -200,3 +202,5 @@ def _prepare(folder: Path, *, overwrite: bool) -> None:
 lab.command()(study)
 lab.command()(compare)
 lab.command()(confined)
+lab.command()(law)
+lab.command()(laws)

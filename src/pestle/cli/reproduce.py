@@ -37,6 +37,15 @@ def reproduce(
     kind: Annotated[
         str, typer.Option("--format", help="Of images: png, svg or pdf.")
     ] = "png",
+    lab: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="DIR",
+            help="Folder of a study of `pestle lab study` to draw from, instead of the "
+            "packaged results.",
+            show_default=False,
+        ),
+    ] = None,
 ) -> None:
     """Recompute figures and tables of a paper, an image or table each.
 
@@ -44,8 +53,10 @@ def reproduce(
     equation differs from the printed one, the figure shows both.
     """
     from pestle.errors import did_you_mean
+    from pestle.lab import packaged
     from pestle.reproduce import PAPERS
 
+    packaged.use(lab)
     if paper is None:
         _list(list(PAPERS.values()))
         return

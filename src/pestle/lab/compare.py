@@ -110,7 +110,8 @@ def make_law(law: str, material: Material, parameters: Mapping[str, float]) -> A
     Parameters
     ----------
     law : str
-        Name of the law; behind a plus may stand the file of a fitted parameter set.
+        Name of the law, or the file of a fitted parameter set of one; behind a plus may
+        stand the file of a set of a law of unloading.
     material : Material
         Material of the lab.
     parameters : mapping
@@ -124,22 +125,35 @@ def make_law(law: str, material: Material, parameters: Mapping[str, float]) -> A
         "poisson_ratio": material.poisson_ratio,
         "yield_stress": material.yield_stress,
     }
-    fitted = second.endswith(".toml")
-    name = first if fitted else law
-    known = fields(name)
-    given = {**{k: v for k, v in own.items() if k in known}, **parameters}
-    made = build(name, given)
-    if not fitted:
-        return made
-    from pestle.lab.fitted import from_file
 
-    if not isinstance(made, Cycle):
+    def made(name: str) -> Any:
+        known = fields(name)
+        return build(name, {**{k: own[k] for k in own if k in known}, **parameters})
+
+    files = [part for part in (first, second) if part.endswith(".toml")]
+    if not files:
+        return made(law)
+    from pestle.lab.fitted import from_file, loading_from_file
+
+    loads = (
+        loading_from_file(Path(first), **own)
+        if first in files
+        else getattr(made(first), "loading", None)
+    )
+    if loads is None or (second and loads.name == "zunker2024"):
         raise InputError(
             "law-unloads-itself",
             f"{first} unloads by itself and takes no parameter set for it",
             hint=f'write "{first}" alone',
         )
-    return Cycle(loading=made.loading, unloading=from_file(Path(second), **own))
+    if loads.name == "zunker2024":
+        return loads
+    back = None
+    if second in files:
+        back = from_file(Path(second), **own)
+    elif second:
+        back = made(f"shahin2021+{second}").unloading
+    return Cycle(loading=loads, unloading=back)
 
 
 def _unload(rule: Any, depth: float) -> Branch | None:
@@ -155,6 +169,21 @@ def _unload(rule: Any, depth: float) -> Branch | None:
     forces = rule.follow(np.concatenate([up, down[1:]]), radius=1.0).force[
         len(up) - 1 :
     ]
+    return branch_numbers(depth, down, forces)
+
+
+def branch_numbers(depth: float, down: Floats, forces: Floats) -> Branch | None:
+    """Power law of an unloading of a law; None if it has no force.
+
+    Parameters
+    ----------
+    depth : float
+        Where it begins [R].
+    down, forces : array
+        Falling displacements from there [R] and forces [E R^2].
+    """
+    if not forces[0] > 0.0:
+        return None
     ends = np.flatnonzero(forces <= 0.0)
     last = int(ends[0]) if ends.size else len(down) - 1
     separation = float(down[last])

@@ -1,6 +1,6 @@
 """Published forms fitted to a study: constants, errors, a named parameter set."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import pi
 from pathlib import Path
@@ -17,6 +17,7 @@ PAPER = {
     "zunker2024": (1.75, 4.4),
 }
 """Table 1 of Edmans and Sinka (2020); Eq. (16) of Zunker and Kamrin (2024)."""
+_DRAWS, _SEED = 100, 1
 
 
 @dataclass(frozen=True)
@@ -37,6 +38,9 @@ class Fit:
         Quantiles 0.5, 0.75, 0.9 and 1 of the relative error, fitted and published.
     count : int
         Number of points.
+    spread : tuple of float
+        Standard errors of the constants: of `edmans2020` by drawing its loadings anew
+        with replacement, otherwise of least squares.
     """
 
     study: str
@@ -47,6 +51,7 @@ class Fit:
     errors: tuple[float, ...]
     published_errors: tuple[float, ...] | None
     count: int
+    spread: tuple[float, ...]
 
 
 def fit(study: str, results: Sequence[dict[str, Any]]) -> Fit:
@@ -59,9 +64,7 @@ def fit(study: str, results: Sequence[dict[str, Any]]) -> Fit:
     results : sequence of dict
         What `run_study` returns.
     """
-    return {"edmans2020": _edmans, "zunker2024": _zunker, "shahin2021": _shahin}[study](
-        results
-    )
+    return FORMS[study](results)
 
 
 def secant_stiffness(
@@ -88,19 +91,30 @@ def _edmans(results: Sequence[dict[str, Any]]) -> Fit:
         for row in result["unloading"]
     ]
     depth, ratio, poisson, rho = _columns(rows, 5, "edmans2020")
+    loading = np.repeat(np.arange(len(results)), [len(r["unloading"]) for r in results])
 
-    def error(gammas: Floats) -> float:
-        found = secant_stiffness(gammas, depth, ratio, poisson)
-        return float(np.abs(found - rho).sum())
+    def fitted(start: Floats, weights: Floats, times: int) -> Floats:
+        def error(gammas: Floats) -> float:
+            found = secant_stiffness(gammas, depth, ratio, poisson)
+            return float(weights @ np.abs(found - rho))
 
-    best = np.array(PAPER["edmans2020"])
-    for _ in range(4):  # a simplex that has shrunk too early starts anew
-        best = minimize(
-            error,
-            best,
-            method="Nelder-Mead",
-            options={"maxiter": 20000, "maxfev": 20000, "xatol": 1e-8, "fatol": 1e-8},
-        ).x
+        for _ in range(times):  # a simplex that has shrunk too early starts anew
+            found = minimize(
+                error,
+                start,
+                method="Nelder-Mead",
+                options={"maxiter": 9999, "maxfev": 9999, "xatol": 1e-8, "fatol": 1e-8},
+            )
+            start = np.asarray(found.x)
+        return start
+
+    best = fitted(np.array(PAPER["edmans2020"]), np.ones(len(rho)), 4)
+    draw = np.random.default_rng(_SEED)
+    others = []
+    for _ in range(_DRAWS):
+        drawn = draw.integers(len(results), size=len(results))
+        weights = np.bincount(drawn, minlength=len(results))[loading]
+        others.append(fitted(best, weights.astype(float), 1))
 
     def relative(gammas: Sequence[float] | Floats) -> Floats:
         found = secant_stiffness(gammas, depth, ratio, poisson)
@@ -115,6 +129,7 @@ def _edmans(results: Sequence[dict[str, Any]]) -> Fit:
         _quantiles(relative(best)),
         _quantiles(relative(PAPER["edmans2020"])),
         len(rho),
+        tuple(float(x) for x in np.std(others, axis=0)),
     )
 
 
@@ -131,7 +146,7 @@ def _zunker(results: Sequence[dict[str, Any]]) -> Fit:
     def form(d: Floats, a: float, b: float) -> Floats:
         return np.asarray(a * np.exp(-b * d) + 1.0)
 
-    best, _ = curve_fit(form, depth, pressure, p0=PAPER["zunker2024"])
+    best, spread = curve_fit(form, depth, pressure, p0=PAPER["zunker2024"])
     return Fit(
         "zunker2024",
         "p/Y = a exp(-b d) + 1, Eq. (16)",
@@ -141,6 +156,7 @@ def _zunker(results: Sequence[dict[str, Any]]) -> Fit:
         _quantiles(np.abs(form(depth, *best) / pressure - 1.0)),
         _quantiles(np.abs(form(depth, *PAPER["zunker2024"]) / pressure - 1.0)),
         len(depth),
+        tuple(float(x) for x in np.sqrt(np.diag(spread))),
     )
 
 
@@ -154,18 +170,28 @@ def _shahin(results: Sequence[dict[str, Any]]) -> Fit:
         if s["d_R"] >= 0.01
     ]
     x, radius = _columns(rows, 4, "shahin2021")
-    powers = np.stack([x**0.5, x**1.5, x**2.5], axis=1)
-    best, *_ = np.linalg.lstsq(powers, radius, rcond=None)
+    powers = np.stack([x**0.5, -(x**1.5), x**2.5], axis=1)
+    best, rest, *_ = np.linalg.lstsq(powers, radius, rcond=None)
+    spread = np.linalg.inv(powers.T @ powers) * rest / (len(x) - 3)
     return Fit(
         "shahin2021",
-        "a/R = D1 x^(1/2) + D3 x^(3/2) + D5 x^(5/2), simple compression",
+        "a/R = D1 x^(1/2) - D3 x^(3/2) + D5 x^(5/2), simple compression",
         ("D_1", "D_3", "D_5"),
         tuple(float(d) for d in best),
         None,
         _quantiles(np.abs(powers @ best / radius - 1.0)),
         None,
         len(x),
+        tuple(float(d) for d in np.sqrt(np.diag(spread))),
     )
+
+
+FORMS: dict[str, Callable[[Sequence[dict[str, Any]]], Fit]] = {
+    "edmans2020": _edmans,
+    "zunker2024": _zunker,
+    "shahin2021": _shahin,
+}
+"""Forms by the study they are fitted to."""
 
 
 def _columns(rows: Sequence[tuple[float, ...]], least: int, study: str) -> Floats:
@@ -193,6 +219,9 @@ def save(found: Fit, name: str, path: Path) -> None:
         "",
         "[constants]",
         *(f"{k} = {v!r}" for k, v in zip(found.names, found.constants, strict=True)),
+        "",
+        "[standard_error]",
+        *(f"{k} = {v!r}" for k, v in zip(found.names, found.spread, strict=True)),
         "",
         "[relative_error]  # at these quantiles",
         *(

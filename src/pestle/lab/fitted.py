@@ -8,9 +8,11 @@ import numpy as np
 
 from pestle.errors import InputError
 from pestle.lab import fits
+from pestle.lab.own_law import NAMES, OwnShahin
+from pestle.particle import Zunker2024
 from pestle.particle.edmans2020 import Unloading as PowerLaw
 from pestle.particle.edmans2020 import exponent, power_law
-from pestle.particle.law import Array, Curve, Peak, Unloading
+from pestle.particle.law import Array, Curve, Loading, Peak, Unloading
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,6 +45,31 @@ class FittedUnloading(Unloading):
         rho = fits.secant_stiffness(self.gammas, largest, np.asarray(ratio), nu)
         alpha = exponent(largest, ratio, self.poisson_ratio)
         return power_law(displacement, peak, PowerLaw(rho, alpha))
+
+
+def loading_from_file(path: Path, **material: Any) -> Loading:
+    """Law of loading of a parameter set that the lab wrote.
+
+    Parameters
+    ----------
+    path : Path
+        What `pestle lab law` or `pestle lab study zunker2024` wrote.
+    **material : float
+        youngs_modulus, poisson_ratio, yield_stress.
+    """
+    study, constants = fits.load(path)
+    if study == "zunker2024" and set(constants) == {"a", "b"}:
+        return Zunker2024(
+            hardening_rise=constants["a"], hardening_decay=constants["b"], **material
+        )
+    if study == "shahin2021" and set(constants) == set(NAMES):
+        return OwnShahin(constants=tuple(constants[k] for k in NAMES), **material)
+    raise InputError(
+        "parameter-set-of-another-study",
+        f"{path} holds constants of {study}, not those of a law of loading",
+        hint="use a set that `pestle lab law` wrote; one of edmans2020 stands behind a "
+        "plus: shahin2021+mine.toml",
+    )
 
 
 def from_file(path: Path, **material: Any) -> FittedUnloading:

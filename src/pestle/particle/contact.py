@@ -23,6 +23,8 @@ class ParticleMaterial:
         Y [Pa].
     work_of_adhesion : float
         W of particle and flat, the paper's Delta gamma [J/m^2].
+    hardening_rise, hardening_decay : float
+        The two constants of the hardening curve (16); the paper's by default [-].
 
     Examples
     --------
@@ -37,6 +39,8 @@ class ParticleMaterial:
     poisson_ratio: float
     yield_stress: float
     work_of_adhesion: float = 0.0
+    hardening_rise: float = mdr.RISE
+    hardening_decay: float = mdr.DECAY
 
     def __post_init__(self) -> None:
         sane = {
@@ -44,6 +48,8 @@ class ParticleMaterial:
             "poisson_ratio": -1.0 < self.poisson_ratio < 0.5,
             "yield_stress": self.yield_stress > 0.0,
             "work_of_adhesion": 0.0 <= self.work_of_adhesion < float("inf"),
+            "hardening_rise": 0.0 <= self.hardening_rise < float("inf"),
+            "hardening_decay": 0.0 <= self.hardening_decay < float("inf"),
         }
         for name, holds in sane.items():
             if not holds:
@@ -51,7 +57,7 @@ class ParticleMaterial:
                     "material-out-of-range",
                     f"{name} = {getattr(self, name)!r} is not possible for a particle",
                     hint="moduli and stresses are positive, -1 < poisson_ratio < 0.5, "
-                    "work_of_adhesion >= 0",
+                    "the others >= 0",
                 )
 
     @cached_property
@@ -64,6 +70,8 @@ class ParticleMaterial:
             elasticity.bulk_modulus(e, nu),
             nu,
             self.yield_stress,
+            self.hardening_rise,
+            self.hardening_decay,
         )
 
 
@@ -188,12 +196,22 @@ def has_reached_yield(
         return False
     elastic = hertz.mean_pressure(overlap, radius, modulus=k.modulus)
     return elastic > mdr.hardening_pressure(
-        memory.largest, radius, yield_stress=k.yield_stress
+        memory.largest,
+        radius,
+        yield_stress=k.yield_stress,
+        rise=k.rise,
+        decay=k.decay,
     )
 
 
 def yielded(k: Constants, radius: float, memory: Memory) -> Memory:
     """Memory of a contact after first yield at the present radius, Eqs. (41), (43)."""
-    overlap = mdr.yield_overlap(radius, modulus=k.modulus, yield_stress=k.yield_stress)
+    overlap = mdr.yield_overlap(
+        radius,
+        modulus=k.modulus,
+        yield_stress=k.yield_stress,
+        rise=k.rise,
+        decay=k.decay,
+    )
     offset = mdr.area_offset(overlap, radius)
     return Memory(memory.largest, memory.radius, True, overlap, offset)

@@ -20,6 +20,7 @@ from pestle.particle.contact import ParticleMaterial
 from pestle.particle.law import Array, Curve, Loading, choice, parameter, register
 from pestle.particle.solver import Particle
 from pestle.particle.state import RadiusRule
+from pestle.reference.mdr import DECAY, RISE
 
 FLATS = {
     "simple": (1.0, 1.0),
@@ -53,6 +54,15 @@ class Zunker2024(Loading):
     yield_stress: float = parameter("uniaxial yield stress Y", "Pa")
     work_of_adhesion: float = parameter(
         "work of adhesion W of particle and flat", "J/m^2", closed=True, default=0.0
+    )
+    hardening_rise: float = parameter(
+        "constant a of the pressure Y (a exp(-b x) + 1), Eq. (16)",
+        "1",
+        closed=True,
+        default=RISE,
+    )
+    hardening_decay: float = parameter(
+        "constant b of the same", "1", closed=True, default=DECAY
     )
     radius_rule: str = choice(
         "when the apparent radius may grow",
@@ -120,6 +130,8 @@ class Zunker2024(Loading):
             poisson_ratio=float(self.poisson_ratio),
             yield_stress=float(self.yield_stress),
             work_of_adhesion=float(self.work_of_adhesion),
+            hardening_rise=float(self.hardening_rise),
+            hardening_decay=float(self.hardening_decay),
         )
         moves = list(dict.fromkeys(flats))  # flats that move alike are one group
         counts = [list(flats).count(move) for move in moves]

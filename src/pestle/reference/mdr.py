@@ -13,8 +13,18 @@ from typing import NamedTuple
 from pestle.reference import ellipse, hertz
 from pestle.reference.ellipse import Ellipse
 
+RISE, DECAY = 1.75, 4.4
+"""Constants of the hardening curve, Eq. (16) [-]."""
 
-def hardening_pressure(largest: float, radius: float, *, yield_stress: float) -> float:
+
+def hardening_pressure(
+    largest: float,
+    radius: float,
+    *,
+    yield_stress: float,
+    rise: float = RISE,
+    decay: float = DECAY,
+) -> float:
     r"""Mean pressure of a yielding contact, Eq. (16) with :math:`\delta_{max}/R`.
 
     .. math:: p_Y = Y(1.75\,e^{-4.4\delta_{max}/R} + 1)
@@ -25,6 +35,8 @@ def hardening_pressure(largest: float, radius: float, *, yield_stress: float) ->
         Largest apparent overlap [m] and apparent radius [m].
     yield_stress : float
         Y [Pa].
+    rise, decay : float
+        The constants 1.75 and 4.4, or those of one's own material [-].
 
     Returns
     -------
@@ -36,10 +48,17 @@ def hardening_pressure(largest: float, radius: float, *, yield_stress: float) ->
     >>> hardening_pressure(0.0, 1.0, yield_stress=2.0)
     5.5
     """
-    return yield_stress * (1.75 * exp(-4.4 * largest / radius) + 1.0)
+    return yield_stress * (rise * exp(-decay * largest / radius) + 1.0)
 
 
-def yield_overlap(radius: float, *, modulus: float, yield_stress: float) -> float:
+def yield_overlap(
+    radius: float,
+    *,
+    modulus: float,
+    yield_stress: float,
+    rise: float = RISE,
+    decay: float = DECAY,
+) -> float:
     r"""Overlap at first yield: root of Eq. (41), Hertz pressure = hardening pressure.
 
     Parameters
@@ -48,6 +67,8 @@ def yield_overlap(radius: float, *, modulus: float, yield_stress: float) -> floa
         Apparent radius R [m].
     modulus, yield_stress : float
         E* [Pa] and Y [Pa].
+    rise, decay : float
+        Constants of the hardening curve (16) [-].
 
     Returns
     -------
@@ -62,9 +83,9 @@ def yield_overlap(radius: float, *, modulus: float, yield_stress: float) -> floa
     slope = 4.0 * modulus / (3.0 * pi * yield_stress)
     s = 1.0 / slope  # s = sqrt(delta_Y/R); the hardening curve lies above Y
     for _ in range(100):
-        decay = 1.75 * exp(-4.4 * s * s)
-        step = (slope * s - 1.0 - decay) / (slope + 8.8 * s * decay)
-        new = min(max(s - step, 1.0 / slope), 2.75 / slope)
+        excess = rise * exp(-decay * s * s)
+        step = (slope * s - 1.0 - excess) / (slope + 2.0 * decay * s * excess)
+        new = min(max(s - step, 1.0 / slope), (1.0 + rise) / slope)
         if abs(new - s) <= 1e-16 * s:
             break
         s = new
@@ -175,6 +196,8 @@ class Constants(NamedTuple):
     bulk: float  # kappa [Pa]
     poisson_ratio: float  # nu [-]
     yield_stress: float  # Y [Pa]
+    rise: float = RISE  # of the hardening curve, Eq. (16) [-]
+    decay: float = DECAY  # the same
 
 
 def plastic_contact(
@@ -203,7 +226,9 @@ def plastic_contact(
     0.4349
     """
     k = constants
-    pressure = hardening_pressure(largest, radius, yield_stress=k.yield_stress)
+    pressure = hardening_pressure(
+        largest, radius, yield_stress=k.yield_stress, rise=k.rise, decay=k.decay
+    )
     a = largest_radius(largest, radius, area_offset=area_offset)
     shape = Ellipse(4.0 * pressure / k.modulus * a, 2.0 * a)
     force = ellipse.largest_force(shape, modulus=k.modulus)

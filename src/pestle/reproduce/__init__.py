@@ -2,11 +2,13 @@
 
 `PAPERS` has a `Paper` a name; each of its items makes a `Result`: panels of a figure or
 columns of a table, and a sentence on how it agrees with print.  Where our reading of an
-equation differs from print, the figure shows both.  What needs finite elements or the
-measurements of others is left out, or its printed numbers are shown as points.
+equation differs from print, the figure shows both.  Finite elements are our own: tables
+that `pestle lab study` wrote.  Measurements of others are left out, or their printed
+numbers are shown as points.
 """
 
 from pestle.reproduce import (  # these add their items to the papers
+    edmans2020_lab,
     nan2022_impact,
     shahin2021_hardening,
     shahin2021_standing,
@@ -26,6 +28,7 @@ __all__ = [
     "Panel",
     "Paper",
     "Result",
+    "edmans2020_lab",
     "nan2022_impact",
     "shahin2021_hardening",
     "shahin2021_standing",

@@ -18,7 +18,7 @@ from pestle.plots.style import (
     style,
     title,
 )
-from pestle.reproduce.item import LIMIT, OURS, POINTS, PRINTED, Line, Panel, Result
+from pestle.reproduce.item import LAB, LIMIT, OURS, POINTS, PRINTED, Line, Panel, Result
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -81,6 +81,16 @@ def _look(line: Line) -> dict[str, Any]:
     if line.kind == LIMIT:
         dash = DASHES[line.number % len(DASHES)]
         return {"color": INK, "linestyle": dash, "linewidth": 0.9, "zorder": 3}
+    if line.kind == LAB:
+        dash = "-" if line.number < len(COLOURS) else "--"
+        dots = "." if len(line.x) <= 25 else ""
+        return {
+            "color": colour,
+            "linestyle": dash,
+            "linewidth": 0.8,
+            "marker": dots,
+            "markersize": 3,
+        }
     assert line.kind == OURS
     dash = DASHES[line.number % len(DASHES)]
     return {"color": colour, "linestyle": dash, "linewidth": 1.6}

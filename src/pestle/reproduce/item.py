@@ -13,8 +13,9 @@ from pestle.errors import InputError, did_you_mean
 Array = NDArray[np.float64]
 
 OURS, PRINTED, POINTS, LIMIT = "ours", "printed", "points", "limit"
+LAB = "lab"
 """What a line shows: our reading; the equation as printed; numbers that the paper
-prints; a limit, or another law for comparison."""
+prints; a limit, or another law for comparison; our finite elements."""
 
 
 @dataclass(frozen=True)
@@ -28,7 +29,7 @@ class Line:
     label : str
         For the legend; empty for none.
     kind : str
-        OURS, PRINTED, POINTS or LIMIT.
+        OURS, PRINTED, POINTS, LIMIT or LAB.
     number : int
         Colour; those of one material or rule are alike.
     """
