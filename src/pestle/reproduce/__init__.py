@@ -12,6 +12,8 @@ from pestle.reproduce import (  # these add their items to the papers
     nan2022_impact,
     shahin2021_hardening,
     shahin2021_standing,
+    zunker2024_adhesion,
+    zunker2024_lab,
 )
 from pestle.reproduce.edmans2020 import EDMANS2020
 from pestle.reproduce.item import Item, Line, Panel, Paper, Result
@@ -32,4 +34,6 @@ __all__ = [
     "nan2022_impact",
     "shahin2021_hardening",
     "shahin2021_standing",
+    "zunker2024_adhesion",
+    "zunker2024_lab",
 ]

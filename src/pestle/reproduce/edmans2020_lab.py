@@ -1,7 +1,7 @@
 """Edmans and Sinka (2020): the figures of their 560 simulations, from our lab.
 
 Every figure reads the tables of `pestle lab study edmans2020` and takes no time; the
-study took 12 minutes of one processor.  Where the paper prints no numbers the sentence
+study took 994 s of one processor.  Where the paper prints no numbers the sentence
 compares with its words.
 """
 

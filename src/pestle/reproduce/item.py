@@ -139,11 +139,11 @@ class Paper:
         wanted = wanted.replace("fig.", "figure")
         if wanted.startswith("fig") and not wanted.startswith("figure"):
             wanted = wanted.replace("fig", "figure", 1)
-        plain = {key: key.replace("-", "") for key in self.items}
+        plain = {key: key.replace("-", "").lower() for key in self.items}
         found = [
             item
             for key, item in self.items.items()
-            if wanted in (plain[key], key.partition("-")[2])
+            if wanted in (plain[key], key.partition("-")[2].lower())
         ]
         if not found:
             raise InputError(
