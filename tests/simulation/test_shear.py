@@ -113,6 +113,10 @@ def test_a_head_turns_under_its_stress(cell: Path) -> None:
     with RunFolder(cell) as folder:
         curves = shear_curves(folder)
         assert [stage.step for stage in folder.stages] == ["fill", *3 * ["shear"]]
+        above = [stage.info["weight_above"] for stage in folder.stages[1:]]
+    # a millimetre of powder between the vanes, where it is level
+    fraction = np.array(above) / (2500.0 * 9.81 * 1e-3)
+    assert ((fraction > 0.2) & (fraction < 0.65)).all()
     for curve, stress, angle in zip(
         curves, (3e3, 2e3, 1e3), (50.0, 15.0, 15.0), strict=True
     ):

@@ -19,7 +19,7 @@ _ONE_OF = (
     ("restitution", "damping_ratio"),
     ("stress", "force"),
     ("work_of_adhesion", *ADHESION_ALIASES),
-    ("count", "file", "start_from"),
+    ("count", "mass", "file", "start_from"),
 )
 """Keys of which a section holds one: setting it removes the others."""
 

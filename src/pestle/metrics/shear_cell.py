@@ -34,7 +34,8 @@ class ShearCurve:
     angle : ndarray
         Angle turned in this step [rad].
     normal, shear : ndarray
-        Normal stress F/(pi R^2) and shear stress 3 T/(2 pi R^3) [Pa].
+        Normal stress F/(pi R^2) at the vanes' edges, with the weight of the powder
+        between the vanes, and shear stress 3 T/(2 pi R^3) [Pa].
     """
 
     stage: str
@@ -95,7 +96,7 @@ def _curve(folder: RunFolder, stage: Stage) -> ShearCurve | None:
         stage.name,
         info["role"],
         info["angular_speed"] * time[rows],
-        -history[f"{wall}.force_z [N]"][rows] / (pi * radius**2),
+        info["weight_above"] - history[f"{wall}.force_z [N]"][rows] / (pi * radius**2),
         1.5 * history[f"{wall}.torque_z [N m]"][rows] / (pi * radius**3),
     )
 

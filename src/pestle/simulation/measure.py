@@ -5,6 +5,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pestle.config.geometry import ShearHead
+from pestle.engine import walls as wl
 from pestle.simulation.output import enclosed
 
 if TYPE_CHECKING:
@@ -18,6 +20,7 @@ def stage_info(run: "Runner", step: Any) -> dict[str, Any]:
         info |= run.memory["stir"]
     if step.step == "shear":
         info |= run.memory["shear"]
+        info["weight_above"] = weight_above(run, step.wall)
     if run.case.die is None:
         return info
     if step.step in ("press", "hold"):
@@ -61,3 +64,16 @@ def _slope(x: Any, y: Any) -> float:
         spread = float(np.std(rest[use]))
         use = np.abs(rest) <= 3.0 * spread + 1e-300
     return float(slope)
+
+
+def weight_above(run: "Runner", name: str) -> float:
+    """Weight of the powder above the edges of a head's vanes, over its area [Pa]."""
+    engine, head = run.engine, run.case.walls[name]
+    assert isinstance(head, ShearHead)
+    edge = float(engine.wall[run.wall(name), wl.POINT + 2]) - head.vane_depth
+    order = np.argsort(engine.ids)  # the same sum however the particles are sorted
+    z, r = engine.pos[order, 2], engine.pos[order, 3]
+    cap = np.clip(z + r - edge, 0.0, 2.0 * r)
+    share = cap**2 * (3.0 * r - cap) / (4.0 * r**3)
+    weight = -float(np.sum(engine.vel[order, 3] * share) * engine.gravity[2])
+    return weight / head.area
