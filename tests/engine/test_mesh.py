@@ -56,22 +56,6 @@ def box(*half):
     return Surface(corner * half, np.array(faces))
 
 
-def tube(count, radius, height):
-    """Hollow prism of `count` flat sides that touch the cylinder from outside."""
-    t = 2.0 * np.pi * np.arange(count) / count
-    far = radius / np.cos(np.pi / count)
-    ring = np.column_stack([far * np.cos(t), far * np.sin(t)])
-    low, high = (np.column_stack([ring, np.full(count, z)]) for z in (0.0, height))
-    a, b = np.arange(count), (np.arange(count) + 1) % count
-    faces = np.concatenate(
-        [
-            np.column_stack([a, b, b + count]),
-            np.column_stack([a, b + count, a + count]),
-        ]
-    )
-    return Surface(np.concatenate([low, high]), faces)
-
-
 def mesh_row(point=(0.0, 0.0, 0.0), material=1.0):
     return (wl.MESH, *point, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, material)
 
@@ -203,29 +187,6 @@ def test_faces_of_a_sharp_corner_act_each():
     )
 
 
-def test_a_tube_of_facets_converges_to_the_cylinder():
-    """Its facets touch the cylinder: the error is that of the chord, of second order."""
-    angle = np.linspace(0.1, 6.0, 12)
-    place = 1.51 * np.column_stack([np.cos(angle), np.sin(angle), angle / angle])
-    place[:, 2] = 0.5
-    inside = (1.0, 0, 0, 0, 0, 0, 1, 2.0, 0.0, 1.0, 1.0, 1.0)
-    forces, errors = {}, []
-    for count in (0, 60, 120, 240):
-        rows, surfaces = [inside], {}
-        if count:
-            rows, surfaces = [mesh_row()], {0: tube(count, 2.0, 1.0)}
-        engine = engine_of(place, 0.5, rows, surfaces)
-        run(engine, 1)
-        assert np.count_nonzero(engine.whist[:, 4]) == len(angle)
-        where = by_id(engine, "pos")[:, :3]
-        speed = by_id(engine, "vel")[:, :3] * by_id(engine, "vel")[:, 3:4]
-        assert np.isfinite(where).all()
-        forces[count] = speed / engine.clock[st.DT_LAST] * 2.0
-        errors.append(np.abs(forces[count] - forces[0]).max() / np.abs(forces[0]).max())
-    assert errors[1] < 0.15
-    assert errors[3] < 0.4 * errors[2] < 0.4 * 0.4 * 2 * errors[1]
-
-
 def test_a_particle_on_the_axis_of_a_cylinder():
     for axis in ((0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.6, 0.8, 0.0)):
         row = (1.0, 0, 0, 0, *axis, 2.0, -1.0, 1.0, 1.0, 1.0)
@@ -322,30 +283,6 @@ def test_the_ledger_closes_over_a_stirred_bed():
     assert work > 0.02 * lost(engine)
     gap = given + work - total(engine) - lost(engine)
     assert abs(gap) < 2e-3 * lost(engine)
-
-
-def test_a_ball_rolls_in_circles_on_a_turntable():
-    """Without sliding its velocity turns at I/(I + m d^2), about 2/7, of the disc's rate."""
-    rule = PairRule(sliding_friction=50.0)
-    engine = engine_of(
-        [[2.0, 0.0, 0.99]], 1.0, [mesh_row()], {0: plate(5, 6.0)}, rule=rule
-    )
-    engine.gravity[2] = -4 / 3 * 1e8 / (1 - 0.25**2) * 0.01**1.5 / engine.vel[0, 3]
-    rate, d, speed = 2.0, 0.99, 0.5
-    throw(
-        engine,
-        np.array([[speed, 0.0, 0.0]]),
-        np.array([[2.0 * rate / d, speed / d, 0.0]]),
-    )
-    engine.set_motion(0, FOREVER, NONE, both(0.0, 0.0, rate))
-    while engine.time < 3.0:
-        run(engine, 100)
-    angle = 0.4 / (0.4 + d * d) * rate * engine.time
-    way = speed * np.array([np.cos(angle), np.sin(angle), 0.0])
-    np.testing.assert_allclose(engine.vel[0, :3], way, atol=5e-3 * speed)
-    assert engine.body[0, 0] == pytest.approx(
-        np.cos(0.5 * rate * engine.time), abs=1e-9
-    )
 
 
 def test_the_work_of_each_wall_adds_up():
