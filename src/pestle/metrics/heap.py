@@ -64,7 +64,8 @@ def heap_of(position: Array, radius: Array, floor: float = 0.0) -> Heap:
     """Measure a heap on a floor, from the places (N, 3) and radii of its particles [m].
 
     The axis goes through the mean of the places.  The flank is where the mean height
-    lies between a fifth and four fifths of its largest value.
+    lies between a fifth and four fifths of its largest value, with a ring more on
+    either side where it is too steep for three rings.
     """
     width = 2.0 * float(radius.mean())
     away = position[:, :2] - position[:, :2].mean(axis=0)
@@ -80,13 +81,15 @@ def heap_of(position: Array, radius: Array, floor: float = 0.0) -> Heap:
     top = float(profile.max())
     begin = int(np.argmax(profile < TO * top))
     end = int(np.argmax(profile < FROM * top)) or len(profile)
+    if begin > 0 and end - begin < _FEWEST:  # a column that stands
+        begin, end = begin - 1, max(end + 1, begin - 1 + _FEWEST)
     fitted = np.zeros(len(middles), bool)
     fitted[begin:end] = True
     slope, base = np.full(SECTORS, nan), np.full(SECTORS, nan)
     for s in range(SECTORS):
-        use = fitted & np.isfinite(height[s])
-        if use.sum() >= _FEWEST:
-            down, base[s] = np.polyfit(middles[use], height[s, use], 1)
+        here = np.nan_to_num(height[s])  # beyond the foot there is the floor
+        if fitted.sum() >= _FEWEST:
+            down, base[s] = np.polyfit(middles[fitted], here[fitted], 1)
             slope[s] = -down
     return Heap(middles, height, fitted, slope, base)
 

@@ -15,7 +15,7 @@ PLATENS = ("platen_left", "platen_right")
 
 
 def key_frames(folder: RunFolder) -> dict[str, int]:
-    """Frames that tell the story: filled, pressed, released, ejected, crushed.
+    """Frames that tell the story: filled, pressed, released, ejected, crushed, heap.
 
     Returns
     -------
@@ -39,7 +39,8 @@ def key_frames(folder: RunFolder) -> dict[str, int]:
         ]
         found |= {"filled": before[-1] if before else 0, "pressed": densest}
     ejecting = [n for n, kind in enumerate(kinds) if kind == "eject"]
-    for moment, names in (("released", ("unload",)), ("crushed", ("crush",))):
+    ends = {"released": ("unload",), "crushed": ("crush",), "heap": ("lift",)}
+    for moment, names in ends.items():
         rows = [n for n, kind in enumerate(kinds) if kind in names]
         if rows:
             found[moment] = rows[-1]

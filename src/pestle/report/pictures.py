@@ -27,6 +27,7 @@ _TITLES = {
     "pressed": ("Pressed", "under full load"),
     "ejected": ("Tablet", "ejected and free"),
     "crushed": ("Crushed", "across its diameter"),
+    "heap": ("Heap", "at rest, the die lifted off"),
 }
 _STATES = {"filled": ("Start", "first frame"), "pressed": ("Densest", "most pressed")}
 _FILM_FRAMES = 18
@@ -120,8 +121,10 @@ def _shot(
         kept = kept_wall_facets(frames["pressed"], frame, change.rotation)
     outside = picture(frame, view, kept=kept)
     inside = picture(frame, view, values=_stress(frame), top=top, cut=True, kept=kept)
+    is_pressed = any(stage.step in ("press", "hold") for stage in folder.stages)
     in_die = folder.case is not None and folder.case.die is not None
-    title, caption = _TITLES[key] if in_die else _STATES.get(key, _TITLES[key])
+    named = _TITLES if in_die and is_pressed else _TITLES | _STATES
+    title, caption = named[key]
     die = _die(folder, view, outside, frame) if key in ("filled", "pressed") else None
     return Shot(
         key,
