@@ -247,3 +247,18 @@ def test_a_head_is_made_of_closed_meshes(tmp_path: Path) -> None:
         assert np.sign(deepest) == side
         far = np.hypot(mesh.vertices[:, 0], mesh.vertices[:, 1]).max()
         assert far == pytest.approx(3.8e-3)
+
+
+def test_the_plan_knows_how_long_the_steps_take(tmp_path: Path) -> None:
+    from pestle.simulation.planning import duration
+    from pestle.simulation.probing import sample_of
+
+    (tmp_path / "case.toml").write_text(CELL, encoding="utf-8")
+    case = Case.from_file(tmp_path / "case.toml")
+    lengths = [duration(case, step, sample_of(case)) for step in case.process[1:]]
+    np.testing.assert_allclose(lengths, np.deg2rad([50.0, 15.0, 15.0]) / 4.0)
+    (tmp_path / "case.toml").write_text(HEAP, encoding="utf-8")
+    case = Case.from_file(tmp_path / "case.toml")
+    high = duration(case, case.process[1], sample_of(case)) * 0.1
+    solid = 0.35e-3 / 2500.0 / case.die.area  # type: ignore[union-attr]
+    assert solid / 0.65 < high < 2.0 * solid / 0.6  # loose at the wall

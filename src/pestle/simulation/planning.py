@@ -145,6 +145,8 @@ def duration(case: "Case", step: Any, sample: Sample) -> float:
     elif step.step == "unload":
         clearance = sample.mean if step.clearance is None else step.clearance
         way = 0.1 * pressed + clearance
+    elif step.step == "lift":
+        way = filled
     elif case.die is not None and step.step == "eject":
         way = case.die.height
     elif case.die is not None and step.step == "crush":
