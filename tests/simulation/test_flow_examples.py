@@ -50,7 +50,7 @@ def test_heap_and_shear_cell_rank_powders_of_rising_cohesion_alike(
     tmp_path: Path,
 ) -> None:
     angles, cohesions = [], []
-    for adhesion in (0.0, 0.08, 0.16):
+    for adhesion in (0.0, 0.16, 0.48):
         change = f"contacts.work_of_adhesion={adhesion}"
         heap = numbers("heap.toml", tmp_path / f"h{adhesion}", "law.name=jkr", change)
         cell = numbers("shear_cell_cohesive.toml", tmp_path / f"c{adhesion}", change)
