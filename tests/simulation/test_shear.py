@@ -176,6 +176,12 @@ def test_resumed_while_it_turns_to_the_same_bits(cell: Path, calls: int) -> None
     assert digest(out) == digest(cell)
 
 
+def test_two_threads_give_the_same_bits(cell: Path) -> None:
+    out = cell.parent / "two"
+    simulation.run(Case.from_file(cell.parent / "case.toml"), out, threads=2)
+    assert digest(out) == digest(cell)
+
+
 def test_a_lifted_die_leaves_a_heap(tmp_path: Path) -> None:
     (tmp_path / "case.toml").write_text(HEAP, encoding="utf-8")
     out = tmp_path / "heap"
