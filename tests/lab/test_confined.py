@@ -128,7 +128,7 @@ def test_command(monkeypatch, capfd):
     assert rows[-1]["d_R"] == 0.06
     assert rows[-1]["primary_F_ER2"] > rows[-1]["secondary_F_ER2"] > 0.0
 
-    def fails(*_):
+    def fails(*_, **__):
         raise confined.NotConverged("made to fail")
 
     monkeypatch.setattr(Confined, "_equilibrium", fails)
@@ -152,3 +152,20 @@ def test_die_radius_is_that_of_shahin():
     radius = np.sqrt(np.array([p.primary.area for p in points]) / np.pi)
     curve = law.curve(depth, radius=1.0, configuration="die")
     assert abs(np.mean(radius / curve.contact_radius - 1.0)) < 0.05
+
+
+def test_first_touch_of_a_hard_sphere():
+    """Approached through softer ones with patience; where both ways go they meet."""
+    hard = Confined(Material(1000.0, 0.3), "die", edges=3, layers=3)
+    (point,) = hard.load(hard.first_depth)
+    assert 1.0 < 1000.0 * point.primary.force / point.primary.area < 3.0
+    case = Confined(Material(20.0, 0.3), "die", edges=3, layers=3)
+    virgin = confined._State(
+        0.0,
+        np.zeros_like(case.mesh.points),
+        np.zeros_like(case.open),
+        case.assembly.fresh_state(),
+    )
+    _, plain = case._equilibrium(virgin, None, case.first_depth)
+    _, patient = case._equilibrium(virgin, None, case.first_depth, patient=True)
+    assert patient.primary.force == pytest.approx(plain.primary.force, rel=1e-5)

@@ -231,3 +231,15 @@ def test_what_was_reached_is_kept(monkeypatch):
     moments = list(lab.load([0.02]))
     assert moments[-1].depth == 0.02
     assert sphere.DEEPEST == 0.6
+
+
+def test_first_touch_of_a_hard_sphere():
+    """It is approached through softer ones; where both ways go they meet."""
+    lab = Sphere(Material(5000.0, 0.4))
+    moment = lab.touch(lab.first_depth)
+    assert 2.0 < moment.force / moment.area * 5000.0 < 3.0
+    lab = Sphere(HARD)
+    direct = lab.touch(lab.first_depth).equilibrium
+    active = lab.mesh.points[lab.mesh.surface, 1] < 0.6 * lab.first_depth
+    approached = lab._approached(lab.first_depth, active)
+    assert approached.force == pytest.approx(direct.force, rel=1e-5)

@@ -34,7 +34,8 @@ _STANDING: dict[str, tuple[int, ...]] = {
     "die": (0, 1),
     "hydrostatic": (),
 }
-_ITERATIONS = 25
+_ITERATIONS, _PATIENCE = 25, 80
+_SHORT = 0.003  # largest displacement in a patient iteration [R]
 _STEP = 0.04  # growth of sqrt(2 depth) in a step
 _FINEST = 2.0**-9
 
@@ -156,12 +157,13 @@ class Confined:
         points: list[ConfinedPoint],
     ) -> tuple[_State, _State | None, ConfinedPoint]:
         """One step, shortened until it converges."""
+        if now.depth == 0.0:
+            new, point = self._touch(now, points)
+            return new, None, point
         regular = 0.5 * (np.sqrt(2.0 * now.depth) + _STEP) ** 2 - now.depth
         reason = ""
         while self._fraction >= _FINEST:
             goal = min(end, now.depth + self._fraction * regular)
-            if now.depth == 0.0:
-                goal = self.first_depth
             try:
                 new, point = self._equilibrium(now, before, goal)
             except NotConverged as error:
@@ -169,12 +171,40 @@ class Confined:
                 self._fraction *= 0.5
                 continue
             self._fraction = min(1.0, 1.5 * self._fraction)
-            return new, (now if now.depth > 0.0 else None), point
+            return new, now, point
         raise ConfinedStop(self.configuration, now.depth, reason, points)
 
-    def _equilibrium(
-        self, now: _State, before: _State | None, depth: float
+    def _touch(
+        self, now: _State, points: list[ConfinedPoint]
     ) -> tuple[_State, ConfinedPoint]:
+        """First touch; of a hard sphere through softer ones at the same depth."""
+        own = self.assembly
+        try:
+            return self._equilibrium(now, None, self.first_depth)
+        except NotConverged:
+            pass
+        new, guess = None, now
+        try:
+            for material in self.material.stiffening():
+                self.assembly = SolidAssembly(self.mesh, material)
+                new = self._equilibrium(guess, None, self.first_depth, patient=True)
+                guess = now._replace(u=new[0].u, active=new[0].active)
+        except NotConverged as error:
+            raise ConfinedStop(self.configuration, 0.0, str(error), points) from error
+        finally:
+            self.assembly = own
+        assert new is not None
+        return new
+
+    def _equilibrium(
+        self,
+        now: _State,
+        before: _State | None,
+        depth: float,
+        *,
+        patient: bool = False,
+    ) -> tuple[_State, ConfinedPoint]:
+        """Newton's method; if patient in short steps, which may go uphill."""
         flats = np.zeros((3, 1))
         flats[list(_MOVING[self.configuration])] = depth
         heights = self.mesh.points[self.mesh.surface].T
@@ -186,7 +216,7 @@ class Confined:
             active = self.open & (1.0 - heights < 0.6 * flats)
         change = np.zeros(self.assembly.size)
         sizes: list[float] = []
-        for count in range(_ITERATIONS):
+        for count in range(_PATIENCE if patient else _ITERATIONS):
             u, answer = self._damped(u, change, now.state)
             pushes = -answer.force[self.unknowns]
             gap = 1.0 - flats - heights - u[self.mesh.surface].T
@@ -204,12 +234,15 @@ class Confined:
             if same and sizes[-1] < TOLERANCE and worst < GAP:
                 new = _State(depth, u, active, answer.state)
                 return new, self._point(new, pushes, count)
-            if count > 2 and not sizes[-1] <= max(5.0 * max(sizes[:2]), 0.05):
+            worst_allowed = 1e6 if patient else max(5.0 * max(sizes[:2]), 0.05)
+            if count > 2 and not sizes[-1] <= worst_allowed:
                 break
             change = np.zeros(self.assembly.size)
             change[self.unknowns[active]] = gap[active]
             assert answer.matrix is not None
             change = self.assembly.solve(answer.matrix, free, fixed, change)
+            if patient:
+                change *= min(1.0, _SHORT / float(np.abs(change).max()))
         raise NotConverged(f"the residual is {sizes[-1]:.1e} of the force")
 
     def _damped(

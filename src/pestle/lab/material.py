@@ -1,7 +1,7 @@
 """Material of the lab: Young's modulus is 1, stresses are in moduli."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from math import inf, isfinite
 
 import numpy as np
@@ -120,6 +120,17 @@ class Material:
                 f"a Poisson ratio of {self.poisson_ratio!r} is not possible here",
                 hint="-1 < nu < 0.5, and at most 0.495: the bulk modulus is finite",
             )
+
+    def stiffening(self) -> Iterator["Material"]:
+        """Yield softer materials up to this one: E/Y from 25 on, times 1.5.
+
+        A first touch that does not converge is approached through them.
+        """
+        ratio = 25.0
+        while ratio < self.modulus_ratio:
+            yield replace(self, modulus_ratio=ratio)
+            ratio *= 1.5
+        yield self
 
     @property
     def yield_stress(self) -> float:

@@ -8,11 +8,11 @@ from typing import NamedTuple
 import numpy as np
 
 from pestle.errors import InputError, SimulationError
-from pestle.lab.assembly import Assembly
+from pestle.lab.assembly import Assembly, Booleans
 from pestle.lab.equilibrium import Contact, Equilibrium, NotConverged
 from pestle.lab.material import Material
 from pestle.lab.measure import contact_radius
-from pestle.lab.mesh import Fineness, Mesh, quarter_disc
+from pestle.lab.mesh import Fineness, Floats, Mesh, quarter_disc
 
 DEEPEST = 0.6
 """Largest depth of the flat [R]."""
@@ -150,18 +150,39 @@ class Sphere:
         mesh = self.mesh
         active = mesh.points[mesh.surface, 1] < 0.6 * depth
         try:
-            found = self.contact.equilibrium(
-                depth,
-                guess=np.zeros_like(mesh.points),
-                active=active,
-                state=self.assembly.fresh_state(),
-                least_force=0.0,
+            found = self._virgin(
+                self.contact, depth, np.zeros_like(mesh.points), active
             )
-        except NotConverged as error:
-            raise _stuck(None, "the first touch", str(error)) from error
+        except NotConverged:
+            found = self._approached(depth, active)
         radius = contact_radius(mesh, found.u, found.active, depth)
         elastic, plastic = self._works(None, found)
         return Moment(found, None, 0.5 * found.force * depth, elastic, plastic, radius)
+
+    def _virgin(
+        self, contact: Contact, depth: float, guess: Floats, active: Booleans
+    ) -> Equilibrium:
+        """Equilibrium of an intact sphere at a depth."""
+        return contact.equilibrium(
+            depth,
+            guess=guess,
+            active=active,
+            state=self.assembly.fresh_state(),
+            least_force=0.0,
+        )
+
+    def _approached(self, depth: float, active: Booleans) -> Equilibrium:
+        """First touch of a hard sphere, through softer ones at the same depth."""
+        guess, found = np.zeros_like(self.mesh.points), None
+        for material in self.material.stiffening():
+            contact = Contact(Assembly(self.mesh, material))
+            try:
+                found = self._virgin(contact, depth, guess, active)
+            except NotConverged as error:
+                raise _stuck(None, "the first touch", str(error)) from error
+            guess, active = found.u, found.active
+        assert found is not None
+        return found
 
     def load_to(self, depth: float, start: Moment | None = None) -> Moment:
         """Press the flat to a depth [R] and return the end."""
