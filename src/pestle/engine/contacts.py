@@ -8,27 +8,27 @@ normal points from b to a.  Histories then need no knowledge of the law at a reb
 from math import sqrt
 from typing import Any
 
-import numpy as np
-
 from pestle import _jit
 from pestle.engine.scratch import (
     BEFORE,
+    COLUMNS,
     D2,
     DAMPING,
     FRICTION,
     H0,
     HISTORY,
-    KIND,
     MASS,
-    OX,
     PAIR,
     RA,
     RB,
     ROLL,
     SHEAR,
-    VX,
+    SPIN,
+    STIFF,
+    TORQUE,
     WEIGHT,
-    WX,
+    A,
+    B,
     Layout,
     W,
     loader,
@@ -71,18 +71,21 @@ def make_batch(
     """Build the loop over the contacts of a block, specialised on the law."""
     evaluate = evaluator(law, is_wall)
     constants = table_loader(law.constants, PAIR, zeros)
+    row = layout.table_row
+    constants_of = loader(law.constants, row + PAIR, zeros)
     state, save_state = (
         loader(law.state, layout.state_row),
         saver(law.state, layout.state_row),
     )
-    fields_a = loader(law.particle, layout.field_row)
-    fields_b = loader(law.particle, layout.field_row + layout.fields)
-    save_a = saver(law.sums, layout.sum_row)
-    save_b = saver(law.sums, layout.sum_row + layout.sums)
-    out, ledger = layout.out, layout.ledger_row
+    fields_a = loader(law.particle, layout.field_a)
+    fields_b = loader(law.particle, layout.field_b)
+    out_a, out_b = layout.out_a, layout.out_b
+    save_a, save_b = saver(law.sums, out_a + COLUMNS), saver(law.sums, out_b + COLUMNS)
+    deep, ledger = layout.deep_row, layout.ledger_row
     roll_row = H0 + HISTORY
-    growth, fields = layout.growth, layout.fields
-    worked, sums = layout.worked, layout.sums
+    worked = layout.worked
+    grown_a, grown_b = layout.field_a + layout.growth, layout.field_b + layout.growth
+    grows = layout.growth >= 0
 
     def batch(S: Any, m: int, table: Any, dt: float) -> None:
         k = constants(table, 0)
@@ -90,15 +93,27 @@ def make_batch(
         ratio, shear = table[0, DAMPING], table[0, SHEAR]
         for c in range(m):
             if not uniform:
-                kind = np.int64(S[KIND * W + c])
-                k = constants(table, kind)
-                mu, mu_roll = table[kind, FRICTION], table[kind, ROLL]
-                ratio, shear = table[kind, DAMPING], table[kind, SHEAR]
+                k = constants_of(S, c)
+                mu, mu_roll = S[(row + FRICTION) * W + c], S[(row + ROLL) * W + c]
+                ratio, shear = S[(row + DAMPING) * W + c], S[(row + SHEAR) * W + c]
             x, y, z = S[c], S[W + c], S[2 * W + c]
             d2 = S[D2 * W + c]
             d = sqrt(d2)
-            ux, uy, uz = S[VX * W + c], S[(VX + 1) * W + c], S[(VX + 2) * W + c]
-            ra, rb, mass = S[RA * W + c], S[RB * W + c], S[MASS * W + c]
+            ux = S[A * W + c] - S[B * W + c]
+            uy = S[(A + 1) * W + c] - S[(B + 1) * W + c]
+            uz = S[(A + 2) * W + c] - S[(B + 2) * W + c]
+            ax, ay, az = (
+                S[(A + SPIN) * W + c],
+                S[(A + SPIN + 1) * W + c],
+                S[(A + SPIN + 2) * W + c],
+            )
+            bx, by, bz = (
+                S[(B + SPIN) * W + c],
+                S[(B + SPIN + 1) * W + c],
+                S[(B + SPIN + 2) * W + c],
+            )
+            ra, rb, ma = S[RA * W + c], S[RB * W + c], S[(A + MASS) * W + c]
+            mb = 1.0 if is_wall else S[(B + MASS) * W + c]
             weight = 1.0 if is_wall else S[WEIGHT * W + c]
             # approach since the last step, from the exact distance then
             before2 = (
@@ -111,11 +126,13 @@ def make_batch(
                 )
             )
             before = sqrt(max(before2, 0.0))
-            # four inverses by one division
+            # inverses of five lengths and masses by one division
             apart, least = before + d, ra if is_wall else min(ra, rb)
             inner, outer = d * (ra + rb), apart * least
-            inverse = 1.0 / (inner * outer)
-            per_inner, per_outer = outer * inverse, inner * inverse
+            both = 1.0 if is_wall else ma + mb
+            inverse = 1.0 / (inner * outer * both)
+            mass = ma if is_wall else ma * mb * (inner * outer * inverse)
+            per_inner, per_outer = outer * both * inverse, inner * both * inverse
             per_d, per_sum = (ra + rb) * per_inner, d * per_inner
             approach = (before2 - d2) * (least * per_outer)
             nx, ny, nz = x * per_d, y * per_d, z * per_d
@@ -123,7 +140,7 @@ def make_batch(
             arm = d * per_sum
             h = H0 * W + c
             s0, s1, s2 = S[h], S[h + W], S[h + 2 * W]
-            stiff_old, normal_old = S[h + 3 * W], S[h + 4 * W]
+            per_old, normal_old = S[h + 3 * W], S[h + 4 * W]
             stored_old, damp_old = S[h + 5 * W], S[h + 6 * W]
 
             g = Geometry(ra + rb - d, star, ra, rb, weight, normal_old)
@@ -137,9 +154,9 @@ def make_batch(
 
             # velocity of the surfaces against each other
             ox, oy, oz = (
-                S[OX * W + c] * arm,
-                S[(OX + 1) * W + c] * arm,
-                S[(OX + 2) * W + c] * arm,
+                (ra * ax + rb * bx) * arm,
+                (ra * ay + rb * by) * arm,
+                (ra * az + rb * bz) * arm,
             )
             wx, wy, wz = oy * nz - oz * ny, oz * nx - ox * nz, ox * ny - oy * nx
             ux, uy, uz = ux - wx, uy - wy, uz - wz
@@ -157,8 +174,8 @@ def make_batch(
             s2 -= sn * nz
             flat2 = s0 * s0 + s1 * s1 + s2 * s2
             turn = sqrt(size2 / (flat2 + 1e-300)) if flat2 > 0.0 else 0.0
-            per_old = 1.0 / stiff_old if stiff_old > 0.0 else 0.0
-            soften = kt * per_old if kt < stiff_old else 1.0
+            per_kt = 1.0 / kt if kt > 0.0 else 0.0
+            soften = min(kt * per_old, 1.0) if per_old > 0.0 else 1.0
             held2 = size2 * per_old  # twice the energy before
             s0 *= turn
             s1 *= turn
@@ -179,7 +196,7 @@ def make_batch(
             g0 *= cut
             g1 *= cut
             g2 *= cut
-            held = (f0 * f0 + f1 * f1 + f2 * f2) / kt if kt > 0.0 else 0.0
+            held = (f0 * f0 + f1 * f1 + f2 * f2) * per_kt
             # work against the mean of the old force, at its lever, and the new one; and
             # what dashpots take
             slid = -0.5 * dt * ((s0 + f0) * tx + (s1 + f1) * ty + (s2 + f2) * tz)
@@ -189,12 +206,12 @@ def make_batch(
             m0 = m1 = m2 = 0.0
             if rolling:
                 q = roll_row * W + c
-                wx, wy, wz = S[WX * W + c], S[(WX + 1) * W + c], S[(WX + 2) * W + c]
+                wx, wy, wz = ax - bx, ay - by, az - bz
                 wn = wx * nx + wy * ny + wz * nz
                 wx, wy, wz = wx - wn * nx, wy - wn * ny, wz - wn * nz
                 kr = kt * star * star
                 b0, b1, b2 = S[q], S[q + W], S[q + 2 * W]
-                old = (b0 * b0 + b1 * b1 + b2 * b2) / (stiff_old * star * star + 1e-300)
+                old = (b0 * b0 + b1 * b1 + b2 * b2) * per_old / (star * star)
                 bn = b0 * nx + b1 * ny + b2 * nz
                 b0, b1, b2 = b0 - bn * nx, b1 - bn * ny, b2 - bn * nz
                 ease = soften * soften * soften
@@ -208,38 +225,46 @@ def make_batch(
                 S[q], S[q + W], S[q + 2 * W] = m0, m1, m2
                 slid -= 0.5 * dt * ((b0 + m0) * wx + (b1 + m1) * wy + (b2 + m2) * wz)
                 held += (m0 * m0 + m1 * m1 + m2 * m2) / (kr + 1e-300)
-                held2 += old if stiff_old > 0.0 else 0.0
+                held2 += old
 
             S[h], S[h + W], S[h + 2 * W] = f0, f1, f2
-            S[h + 3 * W], S[h + 4 * W] = kt, normal
+            S[h + 3 * W], S[h + 4 * W] = per_kt, normal
             S[h + 5 * W], S[h + 6 * W] = r.stored, damp
 
             push = normal + damp
             fx, fy, fz = push * nx + g0, push * ny + g1, push * nz + g2
-            o = out * W + c
+            t0, t1, t2 = ny * fz - nz * fy, nz * fx - nx * fz, nx * fy - ny * fx
+            stiff, lever = max(r.stiffness, 3.5 * kt), ra * arm
+            o = out_a * W + c
             S[o], S[o + W], S[o + 2 * W] = fx, fy, fz
-            S[o + 3 * W] = ny * fz - nz * fy
-            S[o + 4 * W] = nz * fx - nx * fz
-            S[o + 5 * W] = nx * fy - ny * fx
-            S[o + 6 * W], S[o + 7 * W], S[o + 8 * W] = m0, m1, m2
-            S[o + 9 * W] = arm
-            S[o + 10 * W] = max(r.stiffness, 3.5 * kt)
-            S[o + 11 * W] = (ra + rb - d) * (apart * per_outer)
+            o = (out_a + TORQUE) * W + c
+            S[o] = m0 - lever * t0
+            S[o + W] = m1 - lever * t1
+            S[o + 2 * W] = m2 - lever * t2
+            S[(out_a + STIFF) * W + c] = stiff
+            o = out_b * W + c
+            S[o], S[o + W], S[o + 2 * W] = -fx, -fy, -fz
+            o, lever = (out_b + TORQUE) * W + c, rb * arm
+            S[o] = -(m0 + lever * t0)
+            S[o + W] = -(m1 + lever * t1)
+            S[o + 2 * W] = -(m2 + lever * t2)
+            S[(out_b + STIFF) * W + c] = stiff
+            S[deep * W + c] = (ra + rb - d) * (apart * per_outer)
             e = ledger * W + c
             S[e] = r.stored + 0.5 * held
             spent = 0.5 * (normal_old + normal) * approach - (r.stored - stored_old)
             if worked:
-                spent -= S[worked * W + c]
-                spent -= 0.0 if is_wall else S[(worked + sums) * W + c]
+                spent -= S[(out_a + worked) * W + c]
+                spent -= 0.0 if is_wall else S[(out_b + worked) * W + c]
             S[e + W] = spent
             S[e + 2 * W] = slid - 0.5 * (held - held2)
             S[e + 3 * W] = 0.5 * (damp_old + damp) * approach + eddy
             # energy from nothing: more of it than the trapezoid may err by; a radius that
             # grows moves the contact and widens it too, at the cost of the particle
             closer = approach
-            if growth:
-                closer += S[growth * W + c]
-                closer += 0.0 if is_wall else S[(growth + fields) * W + c]
+            if grows:
+                closer += S[grown_a * W + c]
+                closer += 0.0 if is_wall else S[grown_b * W + c]
             spent += abs(normal_old + normal) * (closer - approach)
             spent += 0.5 * abs((normal - normal_old) * closer)
             noise = 1e-9 * (abs(normal_old * closer) + abs(r.stored) + abs(stored_old))

@@ -123,8 +123,8 @@ class Engine:
 
     def _pair_table(self) -> Array:
         count = len(self.solids)
-        size = len(self.parts.constants._fields)  # type: ignore[attr-defined]
-        table = np.zeros((count * count, ct.PAIR + size))
+        size = ct.PAIR + len(self.parts.constants._fields)  # type: ignore[attr-defined]
+        table = np.zeros((count * count, self.layout.constants))
         for a in range(self.particle_solids):
             for b in range(count):
                 one, two = self.solids[a], self.solids[b]
@@ -141,7 +141,7 @@ class Engine:
                     if not rigid
                     else 1.0 / ((2.0 - one.poisson_ratio) / one.shear_modulus)
                 )
-                table[a * count + b] = (
+                table[a * count + b, :size] = (
                     rule.sliding_friction,
                     rule.rolling_friction,
                     rule.damping,
@@ -153,7 +153,8 @@ class Engine:
     def _zeros(self) -> tuple[tuple[int, ...], tuple[int, ...]]:
         """Constants of the law that are 0 among all particles, and with all walls."""
         count, n = len(self.solids), self.particle_solids
-        rows = self.table.reshape(count, count, -1)[:n, :, ct.PAIR :]
+        size = ct.PAIR + len(self.parts.constants._fields)  # type: ignore[attr-defined]
+        rows = self.table.reshape(count, count, -1)[:n, :, ct.PAIR : size]
         among, walls = (
             tuple(np.flatnonzero(~part.any(axis=(0, 1))).tolist()) if part.size else ()
             for part in (rows[:, :n], rows[:, n:])
@@ -174,7 +175,8 @@ class Engine:
         self.field = np.zeros((n, max(self.layout.fields, 1)))
         if self.parts.particle is not Nothing:
             for i in range(n):
-                self.field[i] = self.law.particle(float(radius[i]))
+                known = self.law.particle(float(radius[i]))
+                self.field[i, : len(known)] = known
         self.ref = self.pos.copy()
         self.first = np.zeros(n + 1, np.int64)
         self.pa = self.pb = np.empty(0, np.int32)
@@ -265,7 +267,8 @@ class Engine:
         """Farthest reach of any pair beyond touch [m]."""
         big = float(self.pos[:, 3].max()) if len(self.pos) else 0.0
         most = 0.0
-        for row in self.table[:, ct.PAIR :]:
+        size = ct.PAIR + len(self.parts.constants._fields)  # type: ignore[attr-defined]
+        for row in self.table[:, ct.PAIR : size]:
             if row.any():
                 k = self.parts.constants(*row)
                 most = max(

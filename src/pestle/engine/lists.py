@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING, Any
 
+import numba
 import numpy as np
 import numpy.typing as npt
 
@@ -10,6 +11,7 @@ from pestle.engine import neighbours as nb
 from pestle.engine import scratch as ct
 from pestle.engine import wall_lists as ls
 from pestle.engine import walls as wl
+from pestle.engine.lanes import aligned, lined
 from pestle.engine.screening import triples
 
 if TYPE_CHECKING:
@@ -45,12 +47,14 @@ def rebuild(e: "Engine", wanted: Array | None = None) -> None:
     e.pos, order = np.ascontiguousarray(e.pos[order]), left[order]
     for name in ("vel", "mat", "ids", "field"):
         setattr(e, name, np.ascontiguousarray(getattr(e, name)[order]))
+    for name in ("pos", "vel", "field"):
+        setattr(e, name, lined(getattr(e, name)))
     wrap = images & (count >= 3)
     e.first, e.pa, e.pb = nb.pair_list(
         e.pos, e.ids, low, cell, count, start, wrap, images, lengths, reach
     )
     pairs = len(e.pa)
-    e.hist = np.zeros((pairs, e.layout.history))
+    e.hist = aligned(pairs, e.layout.history)
     e.flag = np.zeros(pairs, np.uint8)
     e.weight, e.dist = np.ones(pairs), np.full(pairs, -1.0)
     lost = nb.carry_pairs(order, *old, e.first, e.pa, e.pb, e.hist, e.flag, e.weight)
@@ -78,7 +82,7 @@ def list_walls(e: "Engine", order: Array, reach: float) -> None:
     e.slot, e.mlisted = np.empty(pairs, np.int64), np.empty(triangles, np.int64)
     e.mfirst = np.empty(pairs + 1, np.int64)
     ls.wall_list(*given, e.wp, e.ww, e.wfirst, e.slot, e.mfirst, e.mlisted, True)
-    e.whist = np.zeros((total, e.layout.history))
+    e.whist = aligned(total, e.layout.history)
     e.wflag = np.zeros(total, np.uint8)
     e.gap = np.zeros((total if pairs else 0, ls.GAP))
     e.gap[:, [ls.SQUARE, ls.BEFORE]] = 1e300
@@ -112,15 +116,17 @@ def divide(e: "Engine") -> None:
         if hi > lo:
             top = max(int(e.pa[lo:hi].max()), int(e.pb[lo:hi].max())) + 1
             e.last[c] = max(e.last[c], top)
-    sizes = e.last - e.chunks[:-1]
+    sizes = e.last - e.chunks[:-1] + 1  # and a spare row
     e.offset = np.concatenate([[0], np.cumsum(sizes)[:-1]]).astype(np.int64)
-    e.buf = np.zeros((int(sizes.sum()), e.layout.columns))
-    if not hasattr(e, "scratch") or len(e.scratch) != number:
-        e.scratch = np.zeros((number, e.layout.rows * ct.W + 64))
-        e.listed = np.zeros((number, ct.W), np.int64)
+    e.buf = aligned(int(sizes.sum()), e.layout.columns)
+    if not hasattr(e, "ledger") or len(e.ledger) != number:
         e.ledger = np.zeros((number, ct.LEDGER))
-        e.cand = np.zeros((number, mp.CANDIDATES, mp.COLUMNS))
-        e.chosen = np.zeros((number, ls.SLOTS + 8), np.int64)
+    if not hasattr(e, "scratch"):  # of a thread
+        threads = numba.config.NUMBA_NUM_THREADS
+        e.scratch = np.zeros((threads, e.layout.rows * ct.W + 64))
+        e.listed = np.zeros((threads, 4, ct.W), np.int64)
+        e.cand = np.zeros((threads, mp.CANDIDATES, mp.COLUMNS))
+        e.chosen = np.zeros((threads, ls.SLOTS + 8), np.int64)
     e.wtotal = np.zeros((number, len(e.wall), wl.TOTALS))
     if e.parts.screened:
         e.tri, e.sides = triples(e.first, e.pa, e.pb, e.chunks)

@@ -40,7 +40,7 @@ def make_move_chunk(law: Parts, layout: ct.Layout) -> Any:
         load_sums = ct.table_loader(law.sums, ct.COLUMNS)
         size = len(law.particle._fields)  # type: ignore[attr-defined]
         holds = layout.worked and law.particle._fields.index("energy")  # type: ignore[attr-defined]
-        given = ct.COLUMNS + layout.worked - layout.sum_row
+        given = layout.worked
     else:
         holds = given = 0
         update = load = load_sums = None

@@ -10,33 +10,35 @@ import numpy as np
 
 from pestle import _jit
 from pestle.engine.contacts import make_batch
+from pestle.engine.lanes import make_prefetch
 from pestle.engine.scratch import (
     BLOCK,
     BOX_NEXT,
     BOX_NOW,
-    COLUMNS,
     D2,
     DAMPED,
     DEEPEST,
     H0,
-    KIND,
-    MASS,
+    LANES,
     NEGATIVE,
     NEGATIVES,
-    OX,
     PLASTIC,
     RA,
     RB,
     SLIDING,
-    STIFF,
     STORED,
     TOUCHING,
-    VX,
     WEIGHT,
     WHERE,
-    WX,
+    A,
+    B,
     Layout,
-    W,
+    add_lanes,
+    at,
+    fill_lanes,
+    read_lanes,
+    turns,
+    write_lanes,
 )
 from pestle.laws._base import Nothing, Parts
 
@@ -47,30 +49,33 @@ def make_tally() -> Any:
     def tally(
         S: Any, m: int, row: int, deep_row: int, ledger: Any, listed: Any
     ) -> None:
-        stored = spent = slid = damped = negative = negatives = touching = 0.0
-        deepest, where = ledger[DEEPEST], ledger[WHERE]
+        # counts first: sums of integers become SIMD, those of floats keep their order
+        deepest = ledger[DEEPEST]
+        touching = above = below = 0
         for c in range(m):
-            e = row * W + c
-            plastic = S[e + W]
-            stored += S[e]
-            spent += plastic
-            slid += S[e + 2 * W]
-            damped += S[e + 3 * W]
-            negatives += 1.0 if S[e + 4 * W] < 0.0 else 0.0
-            negative += S[e + 4 * W]
-            deep = S[deep_row * W + c]
-            touching += 1.0 if deep > 0.0 else 0.0
-            if not deep <= deepest:  # also catches NaN
-                deepest = deep
-                where = np.float64(listed[c])
+            deep = S[at(deep_row, c)]
+            touching += deep > 0.0
+            above += not deep <= deepest  # also catches NaN
+            below += S[at(row + 4, c)] < 0.0
+        stored = spent = slid = damped = negative = 0.0
+        for c in range(m):
+            stored += S[at(row, c)]
+            spent += S[at(row + 1, c)]
+            slid += S[at(row + 2, c)]
+            damped += S[at(row + 3, c)]
+            negative += S[at(row + 4, c)]
         ledger[STORED] += stored
         ledger[PLASTIC] += spent
         ledger[SLIDING] += slid
         ledger[DAMPED] += damped
-        ledger[NEGATIVES] += negatives
+        ledger[NEGATIVES] += np.float64(below)
         ledger[NEGATIVE] += negative
-        ledger[TOUCHING] += touching
-        ledger[DEEPEST], ledger[WHERE] = deepest, where
+        ledger[TOUCHING] += np.float64(touching)
+        if above > 0:
+            for c in range(m):
+                deep = S[at(deep_row, c)]
+                if not deep <= ledger[DEEPEST]:
+                    ledger[DEEPEST], ledger[WHERE] = deep, np.float64(listed[c])
 
     return _jit.njit(tally)
 
@@ -89,9 +94,15 @@ def make_pair_chunk(
         law, layout, is_wall=False, uniform=uniform, rolling=rolling, zeros=zeros
     )
     tally = make_tally()
-    history, fields, sums = layout.history, layout.fields, layout.sums
-    field_row, sum_row, out = layout.field_row, layout.sum_row, layout.out
-    ledger_row = layout.ledger_row
+    history, columns, constants = layout.history, layout.columns, layout.constants
+    fields = layout.fields
+    history_turns, field_turns = turns(history), turns(fields)
+    table_turns = turns(constants)
+    last_q, last_f, last_t = history - LANES, fields - LANES, constants - LANES
+    field_a, field_b, table_row = layout.field_a, layout.field_b, layout.table_row
+    out_a, out_b = layout.out_a, layout.out_b
+    deep_row, ledger_row = layout.deep_row, layout.ledger_row
+    prefetch = make_prefetch(history)
     keeps = law.particle is not Nothing
     screened = law.screened
 
@@ -114,12 +125,14 @@ def make_pair_chunk(
         k0: int,
         k1: int,
         shift: int,
+        spare: int,
         dt: float,
         cut: float,
         box: Any,
         ledger: Any,
     ) -> None:
         U = np.uint64
+        slots, one, two, kinds = listed[0], listed[1], listed[2], listed[3]
         k = k0
         while k < k1:
             m = 0
@@ -127,6 +140,7 @@ def make_pair_chunk(
             for n in range(k, stop):
                 s = U(n)
                 a, b = U(pa[s]), U(pb[s])
+                prefetch(hist, n)
                 dx, dy, dz = (
                     pos[a, 0] - pos[b, 0],
                     pos[a, 1] - pos[b, 1],
@@ -141,72 +155,68 @@ def make_pair_chunk(
                 near = d2 < (rs + cut) * (rs + cut)
                 if screened:
                     dist[s] = d2 if d2 < rs * rs else -1.0
-                listed[m] = n
-                S[m], S[W + m], S[2 * W + m], S[D2 * W + m] = dx, dy, dz, d2
+                slots[m] = n
+                S[at(0, m)], S[at(1, m)], S[at(2, m)] = dx, dy, dz
+                S[at(D2, m)], S[at(RA, m)], S[at(RB, m)] = d2, pos[a, 3], pos[b, 3]
                 m += near | ((flag[s] & 1) != 0)
             k = stop
-            for c in range(m):
-                s = U(listed[c])
-                a, b = U(pa[s]), U(pb[s])
-                ra, rb, ma, mb = pos[a, 3], pos[b, 3], vel[a, 3], vel[b, 3]
-                S[RA * W + c], S[RB * W + c], S[MASS * W + c] = (
-                    ra,
-                    rb,
-                    ma * mb / (ma + mb),
-                )
-                for v in range(3):
-                    S[(VX + v) * W + c] = vel[a, v] - vel[b, v]
-                    S[(OX + v) * W + c] = ra * vel[a, 4 + v] + rb * vel[b, 4 + v]
-                    if rolling:
-                        S[(WX + v) * W + c] = vel[a, 4 + v] - vel[b, 4 + v]
-                    if periodic:
-                        # the box carries a pair from where it was before the step
-                        S[(VX + v) * W + c] += box[2, v] * S[v * W + c]
-                        S[(VX + v) * W + c] /= 1.0 + box[2, v] * dt
+            full = fill_lanes(S, slots, m)
+            for c in range(full):
+                s = U(slots[c])
+                one[c], two[c] = pa[s], pb[s]
                 if not uniform:
-                    S[KIND * W + c] = np.float64(mat[a] * materials + mat[b])
-                S[WEIGHT * W + c] = weight[s] if screened else 1.0
-                if flag[s] != 0:
+                    kinds[c] = mat[U(one[c])] * materials + mat[U(two[c])]
+                S[at(WEIGHT, c)] = weight[s] if screened else 1.0
+            for c in range(0, full, LANES):
+                read_lanes(vel, 0, one, c, S, at(A, c))
+                read_lanes(vel, 0, two, c, S, at(B, c))
+                for g in range(history_turns):
+                    q = min(g * LANES, last_q)
+                    read_lanes(hist, q, slots, c, S, at(H0 + q, c))
+                for g in range(field_turns):
+                    q = min(g * LANES, last_f)
+                    read_lanes(field, q, one, c, S, at(field_a + q, c))
+                    read_lanes(field, q, two, c, S, at(field_b + q, c))
+                if not uniform:
+                    for g in range(table_turns):
+                        q = min(g * LANES, last_t)
+                        read_lanes(table, q, kinds, c, S, at(table_row + q, c))
+            for c in range(full):
+                if flag[U(slots[c])] == 0:  # what an earlier contact left is over
                     for q in range(history):
-                        S[(H0 + q) * W + c] = hist[s, q]
-                else:
-                    for q in range(history):
-                        S[(H0 + q) * W + c] = 0.0
-                for q in range(fields):
-                    S[(field_row + q) * W + c] = field[a, q]
-                    S[(field_row + fields + q) * W + c] = field[b, q]
-            batch(S, m, table, dt)
+                        S[at(H0 + q, c)] = 0.0
+                if periodic:
+                    # the box carries a pair from where it was before the step
+                    for v in range(3):
+                        apart = S[at(A + v, c)] - S[at(B + v, c)]
+                        apart += box[2, v] * S[at(v, c)]
+                        S[at(A + v, c)] = apart / (1.0 + box[2, v] * dt)
+                        S[at(B + v, c)] = 0.0
+            batch(S, full, table, dt)
+            for c in range(full):
+                one[c] = one[c] + shift if c < m else spare
+                two[c] = two[c] + shift if c < m else spare
+            for c in range(0, full, LANES):
+                for g in range(history_turns):
+                    q = min(g * LANES, last_q)
+                    write_lanes(hist, q, slots, c, S, at(H0 + q, c))
+                for q in range(0, columns, LANES):
+                    add_lanes(buf, q, one, c, S, at(out_a + q, c))
+                    add_lanes(buf, q, two, c, S, at(out_b + q, c))
             worked = pushed = 0.0
             for c in range(m):
-                s = U(listed[c])
-                rs = S[RA * W + c] + S[RB * W + c]
-                near = S[D2 * W + c] < (rs + cut) * (rs + cut)
-                flag[s] = 3 if near else (2 if keeps else 0)
-                for q in range(history):
-                    hist[s, q] = S[(H0 + q) * W + c]
-                a, b = U(np.int64(pa[s]) + shift), U(np.int64(pb[s]) + shift)
-                arm = S[(out + 9) * W + c]
-                la, lb = S[RA * W + c] * arm, S[RB * W + c] * arm
-                for v in range(3):
-                    f, t = S[(out + v) * W + c], S[(out + 3 + v) * W + c]
-                    r = S[(out + 6 + v) * W + c]
-                    buf[a, v] += f
-                    buf[b, v] -= f
-                    if periodic:  # the deforming box, against the contact
-                        power = -f * box[2, v] * S[v * W + c]
-                        moved = -f * box[2, v] * S[(VX + v) * W + c] * dt
+                rs = S[at(RA, c)] + S[at(RB, c)]
+                near = S[at(D2, c)] < (rs + cut) * (rs + cut)
+                flag[U(slots[c])] = 3 if near else (2 if keeps else 0)
+                if periodic:  # the deforming box, against the contact
+                    for v in range(3):
+                        f = S[at(out_a + v, c)]
+                        power = -f * box[2, v] * S[at(v, c)]
+                        moved = -f * box[2, v] * S[at(A + v, c)] * dt
                         pushed += power
                         worked += power - moved  # from where the pair was before
-                    buf[a, 3 + v] += r - la * t
-                    buf[b, 3 + v] -= r + lb * t
-                stiff = S[(out + 10) * W + c]
-                buf[a, STIFF] += stiff
-                buf[b, STIFF] += stiff
-                for v in range(sums):
-                    buf[a, COLUMNS + v] += S[(sum_row + v) * W + c]
-                    buf[b, COLUMNS + v] += S[(sum_row + sums + v) * W + c]
             ledger[BOX_NOW] += worked
             ledger[BOX_NEXT] += pushed
-            tally(S, m, ledger_row, out + 11, ledger, listed)
+            tally(S, m, ledger_row, deep_row, ledger, slots)
 
     return _jit.njit(chunk)

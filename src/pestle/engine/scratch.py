@@ -6,15 +6,20 @@ over contacts becomes SIMD; NamedTuples of a law are loaded from and saved to su
 
 from typing import Any
 
+import numpy as np
+
 from pestle import _jit
+from pestle.engine.lanes import LANES, make_lanes
 from pestle.laws._base import Parts
 
 BLOCK = 128  # contacts in a block
-W = BLOCK + 8  # length of a scratch row; no power of two: rows spread over the cache
-# scratch rows
-DX, D2, VX, OX, RA, RB, MASS, KIND, WEIGHT, WX = 0, 3, 4, 7, 10, 11, 12, 13, 14, 15
+# length of a scratch row; no power of two: rows spread over the cache
+W = BLOCK + LANES
+# scratch rows; A and B are velocity 3, mass, angular velocity 3, moment of inertia
+DX, D2, RA, RB, WEIGHT, A, B = 0, 3, 4, 5, 6, 8, 16
+MASS, SPIN = 3, 4  # within A and B
 BEFORE = WEIGHT  # of a wall contact, which has no weight: squared distance a step ago
-H0 = 18  # history: spring force 3, its stiffness, normal force, energy, damping force
+H0 = 24  # history: spring force 3, compliance, normal force, energy, damping force
 HISTORY = 7
 ROLLING = 3  # further history of the rolling spring
 # pair table, columns before the law's constants
@@ -32,17 +37,55 @@ BOX_NOW, BOX_NEXT = 20, 21
 LEDGER = 24
 
 
-def loader(kind: type, base: int) -> Any:
-    """Compiled function that reads a NamedTuple of floats from scratch rows."""
+@_jit.inline
+def at(row: int, c: Any) -> Any:
+    """Place of contact c in a row of the scratch; unsigned, so it is never wrapped."""
+    return np.uint64(row * W) + np.uint64(c)
+
+
+def padded(length: int) -> int:
+    """Length of a row that is added in turns of `LANES` numbers."""
+    return (length + LANES - 1) // LANES * LANES
+
+
+def turns(length: int) -> int:
+    """Turns that move a row of `length` numbers; the last one may overlap the others."""
+    return padded(length) // LANES
+
+
+read_lanes, write_lanes, add_lanes = make_lanes(W)
+
+
+@_jit.njit
+def fill_lanes(S: Any, listed: Any, m: int) -> int:
+    """Repeat the last of m contacts up to a whole number of lanes; return their number.
+
+    The loop over contacts then has no rest that is not SIMD.
+    """
+    full = (m + LANES - 1) // LANES * LANES
+    for c in range(m, full):
+        listed[c] = listed[m - 1]
+        for row in range(WEIGHT):
+            S[at(row, c)] = S[at(row, m - 1)]
+    return full
+
+
+def loader(kind: type, base: int, zeros: tuple[int, ...] = ()) -> Any:
+    """Compiled function that reads a NamedTuple of floats from scratch rows.
+
+    Fields in `zeros` are compiled in as 0: what a law does only for them falls away.
+    """
     length = len(kind._fields)  # type: ignore[attr-defined]
     if length == 0:
         return _jit.inline(lambda scratch, c: kind())
 
     def step(count: int) -> Any:
         row = (base + count - 1) * W
-        if count == 1:
-            return _jit.inline(lambda scratch, c: (scratch[row + c],))
+        if count == 0:
+            return _jit.inline(lambda scratch, c: ())
         before = step(count - 1)
+        if count - 1 in zeros:
+            return _jit.inline(lambda scratch, c: (*before(scratch, c), 0.0))
         return _jit.inline(lambda scratch, c: (*before(scratch, c), scratch[row + c]))
 
     fields = step(length)
@@ -68,10 +111,7 @@ def saver(kind: type, base: int) -> Any:
 
 
 def table_loader(kind: type, base: int, zeros: tuple[int, ...] = ()) -> Any:
-    """Compiled function that reads a NamedTuple from a row of the pair table.
-
-    Fields in `zeros` are compiled in as 0: what a law does only for them falls away.
-    """
+    """Compiled function that reads a NamedTuple from a row of a table; see `loader`."""
     length = len(kind._fields)  # type: ignore[attr-defined]
 
     def step(count: int) -> Any:
@@ -96,20 +136,23 @@ class Layout:
         def size(kind):
             return len(kind._fields)
 
-        self.state = size(law.state)
-        self.fields = size(law.particle)
+        self.constants = max(PAIR + size(law.constants), LANES)
+        self.fields = max(size(law.particle), LANES) if size(law.particle) else 0
         self.sums = size(law.sums)
-        self.history = HISTORY + (ROLLING if rolling else 0) + self.state
-        self.state_row = H0 + self.history - self.state
-        self.field_row = H0 + self.history
-        self.out = self.field_row + 2 * self.fields
-        self.sum_row = self.out + 12
-        self.ledger_row = self.sum_row + 2 * self.sums
+        self.state_row = H0 + HISTORY + (ROLLING if rolling else 0)
+        self.history = max(self.state_row - H0 + size(law.state), LANES)
+        self.columns = padded(COLUMNS + self.sums)  # of a force buffer
+        self.field_a = H0 + self.history
+        self.field_b = self.field_a + self.fields
+        self.table_row = self.field_b + self.fields
+        self.out_a = self.table_row + self.constants
+        self.out_b = self.out_a + self.columns
+        self.deep_row = self.out_b + self.columns
+        self.ledger_row = self.deep_row + 1
         self.rows = self.ledger_row + 5
-        self.columns = COLUMNS + self.sums
         # energy that contacts give to their particles
         names = law.sums._fields  # type: ignore[attr-defined]
-        self.worked = self.sum_row + names.index("worked") if "worked" in names else 0
+        self.worked = COLUMNS + names.index("worked") if "worked" in names else 0
         # a law whose particles grow keeps the last growth of the radius in this field
         names = law.particle._fields  # type: ignore[attr-defined]
-        self.growth = self.field_row + names.index("growth") if "growth" in names else 0
+        self.growth = names.index("growth") if "growth" in names else -1

@@ -11,7 +11,7 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from numba import prange
+from numba import get_thread_id, prange
 
 from pestle import _jit
 from pestle.engine import scratch as ct
@@ -104,7 +104,9 @@ def compiled(
             dt = clock[DT]
             for c in prange(number):
                 lo = chunks[c]
+                me = get_thread_id()
                 shift = offset[c] - lo
+                spare = shift + last[c]  # a row that nobody reads, for idle lanes
                 buf[offset[c] : offset[c] + last[c] - lo].reshape(-1)[:] = 0.0
                 ledger[c, :] = 0.0
                 ledger[c, ct.DEEPEST] = -1e300
@@ -122,11 +124,12 @@ def compiled(
                     table,
                     materials,
                     buf,
-                    scratch[c],
-                    listed[c],
+                    scratch[me],
+                    listed[me],
                     pairs[c],
                     pairs[c + 1],
                     shift,
+                    spare,
                     clock[DT_LAST],
                     cut,
                     box,
@@ -150,8 +153,8 @@ def compiled(
                         mpairs[c + 1],
                         clock[DT_LAST],
                         cut,
-                        cand[c],
-                        chosen[c],
+                        cand[me],
+                        chosen[me],
                     )
                 wall_chunk(
                     pos,
@@ -168,11 +171,12 @@ def compiled(
                     move,
                     wtotal[c],
                     buf,
-                    scratch[c],
-                    listed[c],
+                    scratch[me],
+                    listed[me],
                     wpairs[c],
                     wpairs[c + 1],
                     shift,
+                    spare,
                     clock[DT_LAST],
                     cut,
                     ledger[c],
@@ -255,8 +259,8 @@ def compiled(
                         tri[c + 1],
                         pairs[c],
                         pairs[c + 1],
-                        scratch[c],
-                        listed[c],
+                        scratch[get_thread_id()],
+                        listed[get_thread_id(), 0],
                     )
             for v in range(3):
                 box[0, v] *= 1.0 + box[2, v] * dt

@@ -11,20 +11,24 @@ from pestle.engine.passes import make_tally
 from pestle.engine.scratch import (
     BEFORE,
     BLOCK,
-    COLUMNS,
     D2,
     H0,
     HISTORY,
-    KIND,
-    MASS,
-    OX,
+    LANES,
     RA,
     RB,
+    SPIN,
     STIFF,
-    VX,
-    WX,
+    TORQUE,
+    A,
+    B,
     Layout,
-    W,
+    add_lanes,
+    at,
+    fill_lanes,
+    read_lanes,
+    turns,
+    write_lanes,
 )
 from pestle.engine.wall_lists import BEFORE as LAST
 from pestle.engine.wall_lists import SQUARE, USED
@@ -40,32 +44,35 @@ def make_wall_chunk(
         law, layout, is_wall=True, uniform=False, rolling=rolling, zeros=zeros
     )
     tally = make_tally()
-    history, fields, sums = layout.history, layout.fields, layout.sums
-    field_row, sum_row, out = layout.field_row, layout.sum_row, layout.out
-    ledger_row = layout.ledger_row
+    history, columns, constants = layout.history, layout.columns, layout.constants
+    fields = layout.fields
+    history_turns, field_turns = turns(history), turns(fields)
+    table_turns = turns(constants)
+    last_q, last_f, last_t = history - LANES, fields - LANES, constants - LANES
+    field_a, table_row = layout.field_a, layout.table_row
+    out_a, out_b = layout.out_a, layout.out_b
+    deep_row, ledger_row = layout.deep_row, layout.ledger_row
     keeps = law.particle is not Nothing
     springs = 2 if rolling else 1
 
     def ride(
-        pos: Any, vel: Any, wall: Any, body: Any, gap: Any, S: Any, c: int, a: int, w: int, s: int, dt: float
+        pos: Any, wall: Any, body: Any, gap: Any, S: Any, c: int, a: int, w: int, s: int, dt: float
     ) -> None:  # fmt: skip
         """See a contact from a mesh that moves: velocities, distance before, springs."""
         ux, uy, uz = surface_velocity(
             pos[a, 0] - gap[s, 0], pos[a, 1] - gap[s, 1], pos[a, 2] - gap[s, 2], wall, body, w
         )  # fmt: skip
-        S[VX * W + c] = vel[a, 0] - ux
-        S[(VX + 1) * W + c] = vel[a, 1] - uy
-        S[(VX + 2) * W + c] = vel[a, 2] - uz
-        S[BEFORE * W + c] = gap[s, LAST]
+        S[at(B, c)], S[at(B + 1, c)], S[at(B + 2, c)] = ux, uy, uz
+        S[at(BEFORE, c)] = gap[s, LAST]
         wx, wy, wz = body[w, wl.SPIN], body[w, wl.SPIN + 1], body[w, wl.SPIN + 2]
         for v in range(3):
-            S[(WX + v) * W + c] -= body[w, wl.SPIN + v]
+            S[at(B + SPIN + v, c)] = body[w, wl.SPIN + v]
         for q in range(springs):  # they turn with the mesh
-            h = (H0 + q * HISTORY) * W + c
-            x, y, z = S[h], S[h + W], S[h + 2 * W]
-            S[h] += dt * (wy * z - wz * y)
-            S[h + W] += dt * (wz * x - wx * z)
-            S[h + 2 * W] += dt * (wx * y - wy * x)
+            h = H0 + q * HISTORY
+            x, y, z = S[at(h, c)], S[at(h + 1, c)], S[at(h + 2, c)]
+            S[at(h, c)] += dt * (wy * z - wz * y)
+            S[at(h + 1, c)] += dt * (wz * x - wx * z)
+            S[at(h + 2, c)] += dt * (wx * y - wy * x)
 
     ride = _jit.njit(ride)
 
@@ -89,6 +96,7 @@ def make_wall_chunk(
         k0: int,
         k1: int,
         shift: int,
+        spare: int,
         dt: float,
         cut: float,
         ledger: Any,
@@ -96,6 +104,7 @@ def make_wall_chunk(
         gap: Any,
     ) -> None:
         U = np.uint64
+        slots, one, kinds = listed[0], listed[1], listed[3]
         total[:, :] = 0.0
         k = k0
         while k < k1:
@@ -111,78 +120,83 @@ def make_wall_chunk(
                     d2 = dx * dx + dy * dy + dz * dz
                 r = pos[a, 3] + cut
                 near = (d2 < r * r) & (wall[w, 10] > 0.0)
-                listed[m] = n
-                S[m], S[W + m], S[2 * W + m], S[D2 * W + m] = dx, dy, dz, d2
+                slots[m] = n
+                S[at(0, m)], S[at(1, m)], S[at(2, m)] = dx, dy, dz
+                S[at(D2, m)], S[at(RA, m)], S[at(RB, m)] = d2, pos[a, 3], 0.0
                 m += near | ((flag[s] & 1) != 0)
             k = stop
-            for c in range(m):
-                s = U(listed[c])
+            full = fill_lanes(S, slots, m)
+            for c in range(full):
+                s = U(slots[c])
+                one[c] = wp[s]
+                kinds[c] = mat[U(one[c])] * materials + np.int64(wall[U(ww[s]), 11])
+            for c in range(0, full, LANES):
+                read_lanes(vel, 0, one, c, S, at(A, c))
+                for g in range(history_turns):
+                    q = min(g * LANES, last_q)
+                    read_lanes(hist, q, slots, c, S, at(H0 + q, c))
+                for g in range(field_turns):
+                    q = min(g * LANES, last_f)
+                    read_lanes(field, q, one, c, S, at(field_a + q, c))
+                for g in range(table_turns):
+                    q = min(g * LANES, last_t)
+                    read_lanes(table, q, kinds, c, S, at(table_row + q, c))
+            for c in range(full):
+                s = U(slots[c])
                 a, w = U(wp[s]), U(ww[s])
                 ra = pos[a, 3]
-                S[RA * W + c], S[RB * W + c], S[MASS * W + c] = ra, 0.0, vel[a, 3]
                 for v in range(3):
-                    S[(VX + v) * W + c] = vel[a, v] - move[w, v] * move[w, 5]
-                    S[(OX + v) * W + c] = ra * vel[a, 4 + v]
-                    S[(WX + v) * W + c] = vel[a, 4 + v]
-                S[KIND * W + c] = np.float64(mat[a] * materials) + wall[w, 11]
-                if flag[s] != 0:
+                    S[at(B + v, c)] = move[w, v] * move[w, 5]
+                    S[at(B + SPIN + v, c)] = 0.0
+                if flag[s] == 0:  # what an earlier contact left is over
                     for q in range(history):
-                        S[(H0 + q) * W + c] = hist[s, q]
-                else:
-                    for q in range(history):
-                        S[(H0 + q) * W + c] = 0.0
-                for q in range(fields):
-                    S[(field_row + q) * W + c] = field[a, q]
-                    S[(field_row + fields + q) * W + c] = field[a, q]
+                        S[at(H0 + q, c)] = 0.0
                 if meshed and wall[w, wl.KIND] == wl.MESH:
-                    ride(pos, vel, wall, body, gap, S, c, a, w, s, dt)
+                    ride(pos, wall, body, gap, S, c, a, w, s, dt)
                     if gap[s, USED] == 0.0:  # no contact any more: it ends here
-                        S[D2 * W + c] = 4.0 * (ra + cut) * (ra + cut) + 1e-300
-                        S[BEFORE * W + c] = S[D2 * W + c]
+                        S[at(D2, c)] = 4.0 * (ra + cut) * (ra + cut) + 1e-300
+                        S[at(BEFORE, c)] = S[at(D2, c)]
                     continue
                 dx, dy, dz = towards_wall(  # a step ago, as seen from the wall
-                    pos[a, 0] - dt * S[VX * W + c],
-                    pos[a, 1] - dt * S[(VX + 1) * W + c],
-                    pos[a, 2] - dt * S[(VX + 2) * W + c],
+                    pos[a, 0] - dt * (vel[a, 0] - move[w, 0] * move[w, 5]),
+                    pos[a, 1] - dt * (vel[a, 1] - move[w, 1] * move[w, 5]),
+                    pos[a, 2] - dt * (vel[a, 2] - move[w, 2] * move[w, 5]),
                     wall,
                     w,
                 )
-                S[BEFORE * W + c] = dx * dx + dy * dy + dz * dz
+                S[at(BEFORE, c)] = dx * dx + dy * dy + dz * dz
                 if wall[w, 10] == 0.0:  # taken away: the contact ends here
-                    S[D2 * W + c] = 4.0 * (ra + cut) * (ra + cut) + 1e-300
-                    S[BEFORE * W + c] = S[D2 * W + c]  # no work is done on it
-            batch(S, m, table, dt)
+                    S[at(D2, c)] = 4.0 * (ra + cut) * (ra + cut) + 1e-300
+                    S[at(BEFORE, c)] = S[at(D2, c)]  # no work is done on it
+            batch(S, full, table, dt)
+            for c in range(full):
+                one[c] = one[c] + shift if c < m else spare
+            for c in range(0, full, LANES):
+                for g in range(history_turns):
+                    q = min(g * LANES, last_q)
+                    write_lanes(hist, q, slots, c, S, at(H0 + q, c))
+                for q in range(0, columns, LANES):
+                    add_lanes(buf, q, one, c, S, at(out_a + q, c))
             for c in range(m):
-                s = U(listed[c])
-                w = U(ww[s])
-                r = S[RA * W + c] + cut
-                near = S[D2 * W + c] < r * r
+                s = U(slots[c])
+                i, w = U(wp[s]), U(ww[s])
+                r = S[at(RA, c)] + cut
+                near = S[at(D2, c)] < r * r
                 gone = meshed and wall[w, wl.KIND] == wl.MESH and gap[s, USED] == 0.0
                 flag[s] = 3 if near else (2 if keeps and not gone else 0)
-                for q in range(history):
-                    hist[s, q] = S[(H0 + q) * W + c]
-                a = U(np.int64(wp[s]) + shift)
-                arm = S[RA * W + c] * S[(out + 9) * W + c]
-                fx, fy, fz = S[out * W + c], S[(out + 1) * W + c], S[(out + 2) * W + c]
-                i = U(wp[s])  # the point where the wall acts, from the wall's own
-                rx = pos[i, 0] - S[c] - wall[w, 1]
-                ry = pos[i, 1] - S[W + c] - wall[w, 2]
-                rz = pos[i, 2] - S[2 * W + c] - wall[w, 3]
-                total[w, 5] += ry * fz - rz * fy + S[(out + 6) * W + c]
-                total[w, 6] += rz * fx - rx * fz + S[(out + 7) * W + c]
-                total[w, 7] += rx * fy - ry * fx + S[(out + 8) * W + c]
+                # the point where the wall acts, from the wall's own
+                rx = pos[i, 0] - S[at(0, c)] - wall[w, 1]
+                ry = pos[i, 1] - S[at(1, c)] - wall[w, 2]
+                rz = pos[i, 2] - S[at(2, c)] - wall[w, 3]
+                fx, fy, fz = S[at(out_a, c)], S[at(out_a + 1, c)], S[at(out_a + 2, c)]
+                # a wall has no radius: what turns it is what resists the rolling
+                total[w, 5] += ry * fz - rz * fy - S[at(out_b + TORQUE, c)]
+                total[w, 6] += rz * fx - rx * fz - S[at(out_b + TORQUE + 1, c)]
+                total[w, 7] += rx * fy - ry * fx - S[at(out_b + TORQUE + 2, c)]
                 for v in range(3):
-                    f = S[(out + v) * W + c]
-                    buf[a, v] += f
-                    buf[a, 3 + v] += (
-                        S[(out + 6 + v) * W + c] - arm * S[(out + 3 + v) * W + c]
-                    )
-                    total[w, v] += f
-                total[w, 3] += S[(H0 + 4) * W + c]
-                total[w, 4] += S[(out + 10) * W + c]
-                buf[a, STIFF] += S[(out + 10) * W + c]
-                for v in range(sums):
-                    buf[a, COLUMNS + v] += S[(sum_row + v) * W + c]
-            tally(S, m, ledger_row, out + 11, ledger, listed)
+                    total[w, v] += S[at(out_a + v, c)]
+                total[w, 3] += S[at(H0 + 4, c)]
+                total[w, 4] += S[at(out_a + STIFF, c)]
+            tally(S, m, ledger_row, deep_row, ledger, slots)
 
     return _jit.njit(chunk)

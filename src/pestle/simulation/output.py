@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pestle.engine import scratch as ct
 from pestle.engine import step as st
 from pestle.engine import walls as wl
 from pestle.results import provenance
@@ -205,7 +206,7 @@ def imbalance(run: "Runner") -> float:
     sums = e.parts.sums._fields  # type: ignore[attr-defined]
     if "imbalance" not in sums:
         return float("nan")
-    column = e.layout.columns - e.layout.sums + sums.index("imbalance")
+    column = ct.COLUMNS + sums.index("imbalance")
     rows = np.concatenate(
         [
             e.buf[e.offset[c] : e.offset[c] + e.chunks[c + 1] - e.chunks[c], column]

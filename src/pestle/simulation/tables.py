@@ -21,7 +21,7 @@ def column(engine: "Engine", hist: Array, name: str) -> Array | None:
     fields = engine.parts.state._fields  # type: ignore[attr-defined]
     if name not in fields:
         return None
-    return hist[:, engine.layout.history - engine.layout.state + fields.index(name)]
+    return hist[:, engine.layout.state_row - ct.H0 + fields.index(name)]
 
 
 def _contact_columns(
@@ -32,8 +32,10 @@ def _contact_columns(
     normal = vector / np.maximum(distance, 1e-300)[:, None]
     push = hist[:, ct.HISTORY - 3]
     shear = engine.table[kind, ct.SHEAR] * np.maximum(weight, 1e-12)
-    a = hist[:, 3] / shear
-    area = np.pi * a * a
+    stiffness = np.divide(
+        1.0, hist[:, 3], out=np.zeros(len(hist)), where=hist[:, 3] > 0.0
+    )
+    area = np.pi * (stiffness / shear) ** 2
     pressure = np.divide(push, area, out=np.zeros_like(area), where=area > 0.0)
     offset = column(engine, hist, "offset_i")
     other = column(engine, hist, "offset_j")
