@@ -12,7 +12,7 @@ WANTED = {
     "zunker2024": "figure-5 figure-8 figure-9 figure-10 figure-11 figure-12 figure-13a "
     "figure-13b figure-13cd figure-B.15 figure-B.16 figure-F.17 figure-F.18 "
     "figure-F.19 figure-F.20 figure-F.21",
-    "shahin2021": " ".join(f"figure-2.{n}" for n in [*range(14, 24), *range(26, 31)])
+    "shahin2021": " ".join(f"figure-2.{n}" for n in [*range(9, 24), *range(26, 31)])
     + " figure-3.6 figure-3.7 figure-3.8 figure-3.9 figure-3.10 table-2.4 table-3.1 "
     "table-A.1 table-C.1",
     "edmans2020": " ".join(f"figure-{n}" for n in [1, *range(3, 14), *range(15, 23)])
