@@ -50,3 +50,12 @@ def test_a_flat_layer_has_no_angle():
     place = np.zeros((3, 3))
     place[:, 0] = [0.0, 1e-3, 2e-3]
     assert np.isnan(heap_of(place, np.full(3, 5e-4)).angle[0])
+
+
+def test_a_low_middle_is_not_the_flank():
+    """Few particles lie on the axis; that they lie low must not widen the flank."""
+    place, radius = cone(25.0)
+    angle = heap_of(place, radius).angle[0]
+    near = np.hypot(place[:, 0], place[:, 1]) < 0.5e-3
+    place[near, 2] *= 0.5
+    assert heap_of(place, radius).angle[0] == pytest.approx(angle, abs=0.2)

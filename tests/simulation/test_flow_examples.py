@@ -13,10 +13,8 @@ EXAMPLES = Path(__file__).parent.parent.parent / "examples"
 def numbers(name: str, out: Path, *changes: str) -> dict[str, float]:
     """Metrics of an example."""
     case = Case.from_file(EXAMPLES / name, list(changes))
-    found: dict[str, float] = {}
-    for key, entry in simulation.run(case, out).metrics.items():
-        found[key] = entry["value"] if isinstance(entry, dict) else entry
-    return found
+    found = simulation.run(case, out).metrics["metrics"]
+    return {key: float(entry["value"]) for key, entry in found.items()}
 
 
 @pytest.mark.slow

@@ -79,8 +79,11 @@ def heap_of(position: Array, radius: Array, floor: float = 0.0) -> Heap:
     middles = (np.arange(height.shape[1]) + 0.5) * width
     profile = np.nan_to_num(height).mean(axis=0)
     top = float(profile.max())
-    begin = int(np.argmax(profile < TO * top))
-    end = int(np.argmax(profile < FROM * top)) or len(profile)
+    crest = int(np.argmax(profile))  # the middle ring has few particles and may be low
+    below = [
+        crest + np.flatnonzero(profile[crest:] < part * top) for part in (TO, FROM)
+    ]
+    begin, end = (int(rings[0]) if len(rings) else len(profile) for rings in below)
     if begin > 0 and end - begin < _FEWEST:  # a column that stands
         begin, end = begin - 1, max(end + 1, begin - 1 + _FEWEST)
     fitted = np.zeros(len(middles), bool)
