@@ -60,6 +60,13 @@ def test_thornton_ning_without_yield_is_jkr():
         np.testing.assert_allclose(one[name], two[name], rtol=1e-12)
 
 
+def test_thornton_ning_says_where_adhesion_alone_yields():
+    soft = Solid(youngs_modulus=1e8, poisson_ratio=0.3, yield_stress=1e5)
+    path = testing.legs([0.0, 1e-7], 10)
+    with pytest.warns(UserWarning, match="adhesion alone presses"):
+        testing.follow(ThorntonNing1998(), path, pair=pair(soft, adhesion=1.0))
+
+
 def test_jkr_is_that_of_the_contact_radius():
     """The branch of `reference.jkr`, over the whole range of overlaps."""
     k = {"modulus": 5e7, "work_of_adhesion": 0.05}

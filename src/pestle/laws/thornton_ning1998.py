@@ -16,6 +16,7 @@ thornton_ning1998`, from a digest of the paper, not checked against print.
 Reference: C. Thornton, Z. Ning, Powder Technol. 99 (1998) 154-162.
 """
 
+import warnings
 from dataclasses import dataclass, field
 from typing import ClassVar, NamedTuple
 
@@ -75,7 +76,8 @@ class ThorntonNing1998(Drawn):
     name: ClassVar[str] = "thornton_ning1998"
     summary: ClassVar[str] = "JKR with yield and plastic flattening, non-linear"
     validity: ClassVar[str] = (
-        "small overlaps; the overlap of a loading contact stays JKR's"
+        "small overlaps, whose loading stays JKR's; not where adhesion alone makes a "
+        "contact yield"
     )
     requires: ClassVar[tuple[str, ...]] = ("yield_stress",)
     citation: ClassVar[str] = (
@@ -137,6 +139,14 @@ def contact(k: Constants, g: Geometry, s: State) -> tuple[Response, State]:
 
 def reach(k: Constants, g: Geometry) -> float:
     """Negative overlap at which an unyielded contact parts, the farthest of all [m]."""
+    e, r, w = k.modulus, g.radius, k.adhesion
+    if w > 0.0 and yield_radius(e, r, w, k.pressure) < contact_radius(0.0, e, r, w):
+        warnings.warn(
+            f"thornton_ning1998: at R* = {r:.3g} m adhesion alone presses a contact "
+            "beyond its yield pressure; the law was made for contacts that touch "
+            "elastically, and its forces fall to nothing there",
+            stacklevel=2,
+        )
     return separation_length(k.modulus, g.radius, k.adhesion)
 
 
