@@ -17,6 +17,7 @@ from pestle.laws import (
     Storakers1997,
     ThorntonNing1998,
 )
+from pestle.laws._base import Geometry, parts_of
 from pestle.reference import jkr, jkr_contact
 from pestle.reference import nan2022 as nan
 from pestle.reference import thornton_ning1998 as tn
@@ -62,9 +63,9 @@ def test_thornton_ning_without_yield_is_jkr():
 
 def test_thornton_ning_says_where_adhesion_alone_yields():
     soft = Solid(youngs_modulus=1e8, poisson_ratio=0.3, yield_stress=1e5)
-    path = testing.legs([0.0, 1e-7], 10)
+    law, touch = ThorntonNing1998(), Geometry(0.0, R, 2 * R, 2 * R, 1.0, 0.0)
     with pytest.warns(UserWarning, match="adhesion alone presses"):
-        testing.follow(ThorntonNing1998(), path, pair=pair(soft, adhesion=1.0))
+        parts_of(law).reach(law.constants(pair(soft, adhesion=1.0)), touch)
 
 
 def test_jkr_is_that_of_the_contact_radius():
