@@ -15,7 +15,7 @@ test: .venv/installed-for-tests
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 	@if [ -f docs/conf.py ]; then $(MAKE) --no-print-directory docs; fi
-	$(BIN)/pytest
+	$(BIN)/pytest -n logical --dist loadfile
 
 docs: .venv/installed-for-tests
 	$(BIN)/sphinx-build -W --keep-going -q -b html docs docs/_build/html
