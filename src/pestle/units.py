@@ -48,7 +48,7 @@ EXAMPLES = {
 
 _PREFIXED = ("um", "mm", "cm", "kPa", "MPa", "GPa", "ns", "us", "ms", "min", "kN")
 _COMMON = (*DIMENSIONS, *_PREFIXED, "mN", "mm/s", "g/cm^3")
-_NUMBER = r"[+-]?(?:\d[\d_]*\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?(?:inf|nan)"
+_NUMBER = r"[+-]?(?:\d+(?:_\d+)*\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?(?:inf|nan)"
 _TERM = r"[A-Za-zµμ°%]+(?:(?:\^|\*\*)?[+-]?[1-9]|[²³])?"
 _UNIT = rf"(?:1\s*/\s*)?{_TERM}(?:\s*[*/·]\s*{_TERM}|\s+{_TERM})*"
 _QUANTITY = re.compile(rf"\s*({_NUMBER})\s*({_UNIT})?\s*", re.IGNORECASE)

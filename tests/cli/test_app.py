@@ -189,9 +189,14 @@ def test_an_interrupted_run_says_how_to_go_on(case, simulation, capsys, ending):
 
 
 def test_termination_is_like_ctrl_c(case, simulation):
-    main(["run", case])
-    with pytest.raises(KeyboardInterrupt):
-        os.kill(os.getpid(), signal.SIGTERM)
+    # a worker of pytest-xdist ignores Ctrl-C
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        main(["run", case])
+        with pytest.raises(KeyboardInterrupt):
+            os.kill(os.getpid(), signal.SIGTERM)
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def test_a_bug_is_code_3_and_keeps_its_traceback_in_a_file(case, simulation, capsys):
