@@ -11,7 +11,7 @@ import numpy as np
 from pestle.errors import InputError
 
 NAME = "checkpoint.npz"
-VERSION = 2
+VERSION = 3
 
 
 def write(folder: Path, arrays: dict[str, Any], facts: dict[str, Any]) -> None:
