@@ -123,7 +123,6 @@ class Engine:
 
     def _pair_table(self) -> Array:
         count = len(self.solids)
-        size = ct.PAIR + len(self.parts.constants._fields)  # type: ignore[attr-defined]
         table = np.zeros((count * count, self.layout.constants))
         for a in range(self.particle_solids):
             for b in range(count):
@@ -141,7 +140,7 @@ class Engine:
                     if not rigid
                     else 1.0 / ((2.0 - one.poisson_ratio) / one.shear_modulus)
                 )
-                table[a * count + b, :size] = (
+                table[a * count + b, : self.layout.used] = (
                     rule.sliding_friction,
                     rule.rolling_friction,
                     rule.damping,
@@ -153,8 +152,7 @@ class Engine:
     def _zeros(self) -> tuple[tuple[int, ...], tuple[int, ...]]:
         """Constants of the law that are 0 among all particles, and with all walls."""
         count, n = len(self.solids), self.particle_solids
-        size = ct.PAIR + len(self.parts.constants._fields)  # type: ignore[attr-defined]
-        rows = self.table.reshape(count, count, -1)[:n, :, ct.PAIR : size]
+        rows = self.table.reshape(count, count, -1)[:n, :, ct.PAIR : self.layout.used]
         among, walls = (
             tuple(np.flatnonzero(~part.any(axis=(0, 1))).tolist()) if part.size else ()
             for part in (rows[:, :n], rows[:, n:])
@@ -267,8 +265,7 @@ class Engine:
         """Farthest reach of any pair beyond touch [m]."""
         big = float(self.pos[:, 3].max()) if len(self.pos) else 0.0
         most = 0.0
-        size = ct.PAIR + len(self.parts.constants._fields)  # type: ignore[attr-defined]
-        for row in self.table[:, ct.PAIR : size]:
+        for row in self.table[:, ct.PAIR : self.layout.used]:
             if row.any():
                 k = self.parts.constants(*row)
                 most = max(

@@ -136,7 +136,8 @@ class Layout:
         def size(kind):
             return len(kind._fields)
 
-        self.constants = max(PAIR + size(law.constants), LANES)
+        self.used = PAIR + size(law.constants)  # columns of the pair table
+        self.constants = max(self.used, LANES)  # and how many it has
         self.fields = max(size(law.particle), LANES) if size(law.particle) else 0
         self.sums = size(law.sums)
         self.state_row = H0 + HISTORY + (ROLLING if rolling else 0)
