@@ -164,6 +164,14 @@ class TestFlats:
         assert forces == sorted(forces)
         assert forces[0] < forces[1]
 
+    def test_the_table_has_every_flat(self):
+        """Flats that move alike carry alike, those that stand carry less."""
+        particle = self.mdr(flats=(1.0, 0.0, 0.5, 1.0, 0.0))
+        columns = drive(particle, [Displacement(0.2 * RADIUS)], points=20).columns()
+        force = [columns[f"force{n} [N]"][-1] for n in ("", "_2", "_3", "_4", "_5")]
+        assert force[0] == force[3] > force[2] > force[1] == force[4] > 0.0
+        assert columns["contact_radius_3 [m]"][-1] > columns["contact_radius_2 [m]"][-1]
+
     @pytest.mark.parametrize("bad", [(0.0, 1.0), (2.0,), (1.0, float("nan"))])
     def test_the_first_is_the_one_of_the_path(self, bad):
         with pytest.raises(InputError, match="flats-without-path"):

@@ -43,7 +43,7 @@ class Run:
     leg : array
         Number of the leg of every point, from 1; 0 at the start.
     work : array
-        Work done on the contact since the start [J].
+        Work done on the contact, that of the first flat, since the start [J].
     """
 
     trace: Trace
@@ -60,6 +60,9 @@ class Run:
             "work [J]": self.work,
             "stored [J]": self.trace.stored,
         }
+        for number, flat in enumerate(self.trace.others, start=2):
+            columns[f"force_{number} [N]"] = flat.force
+            columns[f"contact_radius_{number} [m]"] = flat.contact_radius
         return {name: c for name, c in columns.items() if not np.all(np.isnan(c))}
 
 

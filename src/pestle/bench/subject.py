@@ -14,8 +14,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from pestle.errors import InputError
 from pestle.laws import Nothing, Pair, Parts, parts_of
+from pestle.particle.configuration import checked
+from pestle.particle.law import Curve
 from pestle.particle.library import WholeLaw
-from pestle.particle.zunker2024 import Zunker2024, checked_flats
+from pestle.particle.zunker2024 import FLATS, Zunker2024, checked_flats
 
 Array = NDArray[np.float64]
 
@@ -27,6 +29,7 @@ class Trace(NamedTuple):
     force: Array  # repulsion positive [N]
     contact_radius: Array  # [m]
     stored: Array  # recoverable energy of the contact [J]
+    others: tuple[Curve, ...] = ()  # force and contact radius of further flats
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -89,19 +92,26 @@ class SingleParticle:
     def follow(self, path: ArrayLike) -> Trace:
         """Follow paths of displacements [m]."""
         paths = np.asarray(path, dtype=float)
-        at: dict[str, Any] = {
-            "radius": self.radius,
-            "configuration": self.configuration,
-        }
         if isinstance(self.law, Zunker2024):
-            rows = paths.reshape(-1, paths.shape[-1])
-            curves = [self.law.follow(row, flats=self.flats, **at) for row in rows]
-            force, contact = (
-                np.reshape(part, paths.shape) for part in zip(*curves, strict=True)
-            )
+            flats = self.flats or FLATS[checked(self.configuration)]
+            rows = [
+                self.law.on_flats(row, radius=self.radius, flats=flats)
+                for row in paths.reshape(-1, paths.shape[-1])
+            ]
+            every = [
+                Curve(
+                    *(
+                        np.reshape([part[:, n] for part in parts], paths.shape)
+                        for parts in zip(*rows, strict=True)
+                    )
+                )
+                for n in range(max(len(self.flats), 1))
+            ]
         else:
-            force, contact = self.law.follow(paths, **at)
-        return Trace(paths, force, contact, np.full_like(force, np.nan))
+            at = {"radius": self.radius, "configuration": self.configuration}
+            every = [self.law.follow(paths, **at)]
+        first, *others = every
+        return Trace(paths, *first, np.full_like(first.force, np.nan), tuple(others))
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -14,10 +14,12 @@ from typing import ClassVar, cast
 import numpy as np
 from numpy.typing import ArrayLike
 
+from pestle.citations import cite
 from pestle.errors import InputError
+from pestle.laws._options import choice, parameter
 from pestle.particle.configuration import checked
 from pestle.particle.contact import ParticleMaterial
-from pestle.particle.law import Array, Curve, Loading, choice, parameter, register
+from pestle.particle.law import Array, Curve, Loading, register
 from pestle.particle.solver import Particle
 from pestle.particle.state import RadiusRule
 from pestle.reference.mdr import DECAY, RISE
@@ -53,16 +55,16 @@ class Zunker2024(Loading):
     poisson_ratio: float = parameter("Poisson ratio nu", "1", -1.0, 0.5)
     yield_stress: float = parameter("uniaxial yield stress Y", "Pa")
     work_of_adhesion: float = parameter(
-        "work of adhesion W of particle and flat", "J/m^2", closed=True, default=0.0
+        "work of adhesion W of particle and flat", "J/m^2", ends="[]", default=0.0
     )
     hardening_rise: float = parameter(
         "constant a of the pressure Y (a exp(-b x) + 1), Eq. (16)",
         "1",
-        closed=True,
+        ends="[]",
         default=RISE,
     )
     hardening_decay: float = parameter(
-        "constant b of the same", "1", closed=True, default=DECAY
+        "constant b of the same", "1", ends="[]", default=DECAY
     )
     radius_rule: str = choice(
         "when the apparent radius may grow",
@@ -76,20 +78,15 @@ class Zunker2024(Loading):
         "elastic-perfectly plastic, up to the fill of the cell; contacts see each "
         "other through the volume only"
     )
-    citation: ClassVar[str] = (
-        "@article{zunker2024, author={Zunker, W. and Kamrin, K.}, title={A "
-        "mechanically-derived contact model for adhesive elastic-perfectly plastic "
-        "particles, Part I: Utilizing the method of dimensionality reduction}, "
-        "journal={Journal of the Mechanics and Physics of Solids}, volume={183}, "
-        "pages={105492}, year={2024}}"
-    )
+    citation: ClassVar[str] = cite("zunker2024")
 
     def _curve(self, x: Array, radius: float, configuration: str) -> Curve:
         order = np.argsort(x, axis=None)
-        out = self._run(np.ravel(x)[order] * radius, radius, FLATS[configuration])
+        path = np.ravel(x)[order] * radius
+        out = self.on_flats(path, radius=radius, flats=FLATS[configuration])
         back = np.empty_like(order)
         back[order] = np.arange(order.size)
-        return Curve(*(part[back].reshape(np.shape(x)) for part in out))
+        return Curve(*(part[back, 0].reshape(np.shape(x)) for part in out))
 
     def follow(
         self,
@@ -97,21 +94,40 @@ class Zunker2024(Loading):
         *,
         radius: float,
         configuration: str = "simple",
-        flats: Sequence[float] = (),
     ) -> Curve:
-        """Force and contact radius of the first flat along one path.
+        """Force and contact radius of one moving flat along one path.
 
         Parameters
         ----------
         displacement : array
-            Of the moving flats, one path from the virgin state on [m].
+            Of each moving flat, one path from the virgin state on [m].
         radius : float
             Radius of the particle [m].
         configuration : {"simple", "die", "hydrostatic"}
             How many flats there are and which move.
+        """
+        flats = FLATS[checked(configuration)]
+        force, contact = self.on_flats(displacement, radius=radius, flats=flats)
+        return Curve(force[:, 0], contact[:, 0])
+
+    def on_flats(
+        self, displacement: ArrayLike, *, radius: float, flats: Sequence[float]
+    ) -> Curve:
+        """Force and contact radius of every flat of any set along one path.
+
+        Parameters
+        ----------
+        displacement : array
+            Of the first flat, one path of n points from the virgin state on [m].
+        radius : float
+            Radius of the particle [m].
         flats : sequence of float
-            Any other set of flats: how far each moves over the displacement; the first
-            is 1.  In place of the configuration [-].
+            How far each flat moves over the displacement; the first is 1 [-].
+
+        Returns
+        -------
+        Curve
+            Arrays of n rows, a column for every flat.
         """
         path = np.asarray(displacement, dtype=float)
         if path.ndim != 1:
@@ -121,10 +137,6 @@ class Zunker2024(Loading):
                 f"{path.shape}",
                 hint="call it once for each path",
             )
-        known = FLATS[checked(configuration)]
-        return self._run(path, radius, checked_flats(flats) if flats else known)
-
-    def _run(self, path: Array, radius: float, flats: Sequence[float]) -> Curve:
         material = ParticleMaterial(
             youngs_modulus=float(self.youngs_modulus),
             poisson_ratio=float(self.poisson_ratio),
@@ -133,9 +145,11 @@ class Zunker2024(Loading):
             hardening_rise=float(self.hardening_rise),
             hardening_decay=float(self.hardening_decay),
         )
-        moves = list(dict.fromkeys(flats))  # flats that move alike are one group
-        counts = [list(flats).count(move) for move in moves]
+        every = checked_flats(flats)
+        moves = list(dict.fromkeys(every))  # flats that move alike are one group
+        counts = [every.count(move) for move in moves]
         rule = cast(RadiusRule, self.radius_rule)
         particle = Particle(material, radius, counts=counts, radius_rule=rule)
         trace = particle.trace(np.multiply.outer(path, moves))
-        return Curve(trace.force[:, 0], trace.contact_radius[:, 0])
+        group = [moves.index(move) for move in every]
+        return Curve(trace.force[:, group], trace.contact_radius[:, group])
