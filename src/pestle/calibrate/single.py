@@ -5,6 +5,7 @@ The noise has one size that is unknown; with a prior 1/sigma it integrates out:
 .. math:: \ln L = -\frac{n}{2} \ln \sum_i (F_i - F(\delta_i))^2
 """
 
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from pestle.errors import PestleError
 from pestle.fit import Curve, Fit, fit
 from pestle.particle import library
 from pestle.particle.law import no_range_warnings
+from pestle.particle.zunker2024 import Zunker2024
 
 if TYPE_CHECKING:
     from pestle.config.calibration import CalibrationSettings, Parameter
@@ -81,17 +83,25 @@ class _Likelihood:
 
     def __call__(self, shares: Array) -> Array:
         rows = values_at(self.parameters, shares)
+        if self.law != Zunker2024.name:  # a formula takes all rows at once ...
+            with suppress(PestleError):  # ... where the law exists for all of them
+                return self._at(rows.T[:, :, None])
         return np.array([self._one(row) for row in rows])
 
-    def _one(self, values: Array) -> float:
+    def _one(self, values: Array) -> Array:
+        try:
+            return self._at(values)
+        except PestleError:  # the law does not exist there
+            return np.array(-np.inf)
+
+    def _at(self, values: Array) -> Array:
+        """Likelihood of parameters, each a number or a column of numbers."""
         given = {**self.fixed, **dict(zip(self.parameters, values, strict=True))}
         curve = self.curve
-        try:
-            law = library.build(self.law, given)
-            force = law.follow(
-                curve.displacement, radius=curve.radius, configuration="simple"
-            ).force
-        except PestleError:  # the law does not exist there
-            return -np.inf
-        total = float(np.sum((curve.force - force) ** 2))
-        return -0.5 * len(curve.force) * float(np.log(max(total, 1e-300)))
+        law = library.build(self.law, given)
+        path = np.broadcast_to(
+            curve.displacement, (*values.shape[1:-1], len(curve.displacement))
+        )
+        force = law.follow(path, radius=curve.radius, configuration="simple").force
+        total = np.sum((curve.force - force) ** 2, axis=-1)
+        return np.asarray(-0.5 * len(curve.force) * np.log(np.maximum(total, 1e-300)))

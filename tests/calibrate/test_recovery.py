@@ -1,0 +1,136 @@
+"""Calibrations against data whose truth is known, often enough to count; minutes."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.stats import binom
+
+from pestle import simulation
+from pestle.calibrate import calibrate, single
+from pestle.config import Case
+from pestle.config.calibration import CalibrationSettings
+from pestle.config.study import read_settings
+from pestle.metrics.die_curves import die_curves
+from pestle.particle import build
+from pestle.results.folder import RunFolder
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+CASE = EXAMPLES / "small_tablet.toml"
+RADIUS = 50e-6
+TRIALS = 300
+
+PARTICLE = """
+source = "synthetic"
+seed = {seed}
+[particle]
+file = "particle.csv"
+law = "{law}"
+diameter = "100 um"
+fixed = {{ poisson_ratio = 0.3 }}
+[parameters]
+yield_stress = {{ low = "5 MPa", high = "100 MPa", scale = "log" }}
+youngs_modulus = {{ low = "1 GPa", high = "50 GPa", scale = "log" }}
+"""
+
+BULK = """
+source = "synthetic"
+[bulk]
+case = "{case}"
+set = {{ particles.count = {count}, die.height = "{height}" }}
+most = 60
+{targets}
+[parameters]
+"materials.powder.yield_stress" = {{ low = "70 MPa", high = "200 MPa", scale = "log" }}
+"contacts.pairs.0.sliding_friction" = {{ low = 0.05, high = 0.5 }}
+"""
+TARGET = """[[bulk.targets]]
+curve = "{curve}"
+file = "tablet.csv"
+points = 4
+deviation = "{deviation} MPa"
+"""
+AXIAL = TARGET.format(curve="axial_stress", deviation=3)
+DIE_WALL = TARGET.format(curve="die_wall_stress", deviation=1.5)
+TRUTH = np.array([130e6, 0.3])
+
+
+def write(path: Path, **columns: np.ndarray) -> None:
+    """CSV of columns; a double underscore begins the unit."""
+    names = (name.replace("__", " [") + "]" for name in columns)
+    rows = np.column_stack(list(columns.values()))
+    np.savetxt(path, rows, delimiter=",", header=",".join(names), comments="")
+
+
+@pytest.mark.slow
+def test_credible_intervals_hold_the_truth_as_often_as_they_say(tmp_path):
+    """300 curves: loading and unloading of one particle with 1 % of noise."""
+    law = "shahin2021+edmans2020"
+    truth = {"yield_stress": 2e7, "youngs_modulus": 5e9}
+    d = RADIUS * np.linspace(0.0, 0.3, 61)[1:]
+    d = np.concatenate([d, d[-1] * np.linspace(1.0, 0.93, 21)[1:]])
+    clean = build(law, {**truth, "poisson_ratio": 0.3}).follow(d, radius=RADIUS).force
+    hits = np.zeros(2, dtype=int)
+    for seed in range(TRIALS):
+        noise = np.random.default_rng(seed).normal(size=len(d))
+        force = clean + 0.01 * clean.max() * noise
+        write(tmp_path / "particle.csv", displacement__m=2.0 * d, force__N=force)
+        (tmp_path / "case.toml").write_text(PARTICLE.format(seed=seed, law=law))
+        settings = read_settings(CalibrationSettings, tmp_path / "case.toml")
+        _, found = single.calibrate(settings)
+        low, high = found.interval().T
+        true = np.array([truth[name] for name in found.names])
+        hits += (low <= true) & (true <= high)
+    low, high = binom.interval(0.99, TRIALS, 0.95)
+    assert np.all((hits >= low) & (hits <= high)), f"{hits} of {TRIALS}"
+
+
+@pytest.fixture(scope="module")
+def tablet(tmp_path_factory):
+    """Folder with the measured curves of a compaction of 500 particles."""
+    folder = tmp_path_factory.mktemp("tablet")
+    changes = [
+        "particles.count=500",
+        "die.height=10 mm",
+        "seed=101",
+        f"materials.powder.yield_stress={TRUTH[0]}",
+        f"contacts.pairs.0.sliding_friction={TRUTH[1]}",
+    ]
+    simulation.run(Case.from_file(CASE, changes), folder / "run")
+    with RunFolder(folder / "run") as run:
+        curves = die_curves(run)
+    rows = curves.loading
+    density = np.maximum.accumulate(curves.density[rows])
+    x = np.linspace(0.66, density[-1], 20)
+    noise = np.random.default_rng(101).normal(0.0, 1.5e6, (2, len(x)))
+    write(
+        folder / "tablet.csv",
+        **{"relative_density__-": x},
+        axial_stress__Pa=np.interp(x, density, curves.axial[rows]) + noise[0],
+        die_wall_stress__Pa=np.interp(x, density, curves.radial[rows]) + noise[1],
+    )
+    return folder
+
+
+def found_with(folder, targets):
+    """What a calibration to some targets finds; both share their runs."""
+    text = BULK.format(case=CASE, count=500, height="10 mm", targets=targets)
+    (folder / "calibration.toml").write_text(text)
+    settings = read_settings(CalibrationSettings, folder / "calibration.toml")
+    return calibrate(settings, folder / "found", say=print)
+
+
+@pytest.mark.slow
+def test_yield_stress_and_friction_of_a_compaction(tablet):
+    """Of 500 particles, from axial and die-wall stress, in at most 60 runs."""
+    numbers = found_with(tablet, AXIAL + DIE_WALL)
+    values = [row["value"] for row in numbers["parameters"].values()]
+    np.testing.assert_allclose(values, TRUTH, rtol=0.1)
+    assert numbers["runs"] <= 60
+    assert not any("told apart" in text for text in numbers["warnings"])
+
+
+@pytest.mark.slow
+def test_the_axial_stress_alone_cannot_tell_them_apart(tablet):
+    numbers = found_with(tablet, AXIAL)
+    assert any("cannot be told apart" in text for text in numbers["warnings"])
