@@ -274,7 +274,7 @@ def _cited(text: str) -> list[str]:
     """Entries of BibTeX as sentences."""
     found = []
     for entry in re.split(r"\n(?=@)", text):
-        field = dict(re.findall(r"(\w+)=\{((?:[^{}]|\{[^{}]*\})*)\}", entry))
+        field = dict(re.findall(r"(\w+)\s*=\s*\{((?:[^{}]|\{[^{}]*\})*)\}", entry))
         authors = field.get("author", "").replace(" and ", "; ")
         where = field.get("journal", field.get("school", ""))
         numbers = ", ".join(field[k] for k in ("volume", "pages") if k in field)

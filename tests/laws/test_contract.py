@@ -1,5 +1,7 @@
 """Every pair law keeps the contract of `pestle.testing`."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -42,6 +44,18 @@ def test_no_closed_path_creates_energy(name, peaks):
     answer = testing.follow(law, path)
     work = np.trapezoid(answer["force"], path)
     assert work >= -noise.sum()
+
+
+@pytest.mark.filterwarnings("ignore:thornton_ning1998")
+@pytest.mark.parametrize("adhesion", [0.5, 2.0])
+@pytest.mark.parametrize("name", NAMES)
+def test_no_closed_path_creates_energy_however_sticky(name, adhesion):
+    """Ten and forty times as sticky: adhesion alone makes a touching contact yield."""
+    pair = replace(testing.PAIR, work_of_adhesion=adhesion)
+    for path in testing.paths(LAWS[name], pair, testing.RADIUS, 4e-6, 5):
+        answer = testing.follow(LAWS[name], path, pair=pair)
+        _, noise = testing.dissipation(answer)
+        assert np.trapezoid(answer["force"], path) >= -noise.sum()
 
 
 def test_every_pair_law_is_checked():

@@ -1,7 +1,5 @@
 """pestle cite: the references behind a case."""
 
-import re
-from importlib.resources import files
 from typing import TYPE_CHECKING
 
 import typer
@@ -22,17 +20,14 @@ def cite(case: CaseFile, settings: Settings = None) -> None:
 
 def references(case: "Case") -> list[str]:
     """BibTeX entries for a case, each once."""
-    from pestle import __version__, materials
+    from pestle import __version__, citations, materials
 
     texts = [getattr(case.law.build(), "citation", "")]
     sets = {entry.set for entry in case.materials.values() if entry.set}
     texts += [materials.load(name).citation for name in sorted(sets)]
-    methods = (files("pestle.cli") / "methods.bib").read_text(encoding="utf-8")
+    methods = citations.cite("pestle", "cundall1979", "mindlin1953")
     texts.append(methods.replace("{VERSION}", f"{{{__version__}}}"))
     unique: dict[str, str] = {}
-    for text in texts:
-        for entry in re.split(r"(?m)^(?=@)", text):
-            key = re.match(r"@\w+\{\s*([^,\s]+)", entry)
-            if key:
-                unique.setdefault(key[1], entry.strip())
+    for entry in citations.split("\n".join(texts)):
+        unique.setdefault(citations.key_of(entry), entry)
     return list(unique.values())

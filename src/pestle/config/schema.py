@@ -85,7 +85,7 @@ def _one_law(name: str, law: type) -> dict[str, Any]:
             entry["enum"] = list(field.metadata["choices"])
         elif hints[field.name] in kinds:
             entry["type"] = kinds[hints[field.name]]
-        if field.metadata.get("unit"):
+        if field.metadata.get("unit", "1") != "1":
             entry["x-unit"] = field.metadata["unit"]
             entry.pop("type", None)
             text = {"type": "string", "examples": [f"1 {field.metadata['unit']}"]}

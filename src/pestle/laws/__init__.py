@@ -29,6 +29,7 @@ from pestle.laws._base import (
     parts_of,
     register,
 )
+from pestle.laws._options import PairLaw, choice, parameter
 from pestle.laws.dmt import DMT
 from pestle.laws.eepa2014 import EEPA2014
 from pestle.laws.hertz import Hertz
@@ -56,6 +57,7 @@ __all__ = [
     "Nan2022",
     "Nothing",
     "Pair",
+    "PairLaw",
     "Parts",
     "Pasha2014",
     "Pasha2014Simplified",
@@ -65,6 +67,7 @@ __all__ = [
     "ThorntonNing1998",
     "WaltonBraun1986",
     "Zunker2024",
+    "choice",
     "dmt",
     "eepa2014",
     "get",
@@ -73,6 +76,7 @@ __all__ = [
     "luding2008",
     "names",
     "nan2022",
+    "parameter",
     "parts_of",
     "pasha2014",
     "pasha2014_simplified",

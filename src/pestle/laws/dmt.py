@@ -17,8 +17,9 @@ from dataclasses import dataclass
 from math import pi, sqrt
 from typing import ClassVar, NamedTuple
 
+from pestle.citations import cite
 from pestle.laws._base import Geometry, Nothing, Pair, Response, register
-from pestle.laws._plot import Drawn
+from pestle.laws._options import PairLaw
 
 
 class Constants(NamedTuple):
@@ -29,18 +30,13 @@ class Constants(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class DMT(Drawn):
+class DMT(PairLaw):
     """Elastic spheres with a constant attraction while they touch."""
 
     name: ClassVar[str] = "dmt"
     summary: ClassVar[str] = "elastic spheres with a constant attraction (DMT)"
     validity: ClassVar[str] = "elastic; Tabor's number well below 1"
-    citation: ClassVar[str] = (
-        "@article{derjaguin1975, author={Derjaguin, B. V. and Muller, V. M. and "
-        "Toporov, Yu. P.}, title={Effect of contact deformations on the adhesion of "
-        "particles}, journal={Journal of Colloid and Interface Science}, volume={53}, "
-        "pages={314--326}, year={1975}, doi={10.1016/0021-9797(75)90018-1}}"
-    )
+    citation: ClassVar[str] = cite("derjaguin1975")
 
     def constants(self, pair: Pair) -> Constants:
         """Reduce a pair of materials to the constants of its contacts."""

@@ -14,8 +14,9 @@ from dataclasses import dataclass
 from math import sqrt
 from typing import ClassVar, NamedTuple
 
+from pestle.citations import cite
 from pestle.laws._base import Geometry, Nothing, Pair, Response, register
-from pestle.laws._plot import Drawn
+from pestle.laws._options import PairLaw
 
 
 class Constants(NamedTuple):
@@ -25,18 +26,13 @@ class Constants(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Hertz(Drawn):
+class Hertz(PairLaw):
     """Elastic spheres without adhesion; with the engine's friction: Hertz-Mindlin."""
 
     name: ClassVar[str] = "hertz"
     summary: ClassVar[str] = "elastic spheres; with friction: Hertz-Mindlin"
     validity: ClassVar[str] = "contact radius small against R*, nothing yields"
-    citation: ClassVar[str] = (
-        "@article{hertz1881, author={Hertz, Heinrich}, "
-        "title={Ueber die Beruehrung fester elastischer Koerper}, "
-        "journal={Journal fuer die reine und angewandte Mathematik}, "
-        "volume={92}, pages={156--171}, year={1881}}"
-    )
+    citation: ClassVar[str] = cite("hertz1881")
 
     def constants(self, pair: Pair) -> Constants:
         """Reduce a pair of materials to the constants of its contacts."""

@@ -19,8 +19,9 @@ Reference: K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. A 324 (1971) 
 from dataclasses import dataclass
 from typing import ClassVar, NamedTuple
 
+from pestle.citations import cite
 from pestle.laws._base import Geometry, Pair, Response, register
-from pestle.laws._plot import Drawn
+from pestle.laws._options import PairLaw
 from pestle.reference.jkr_contact import (
     contact_radius,
     energy_at,
@@ -44,18 +45,13 @@ class State(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class JKR(Drawn):
+class JKR(PairLaw):
     """Elastic spheres with adhesion, exact."""
 
     name: ClassVar[str] = "jkr"
     summary: ClassVar[str] = "elastic spheres with adhesion (JKR), exact"
     validity: ClassVar[str] = "elastic; Tabor's number well above 1"
-    citation: ClassVar[str] = (
-        "@article{johnson1971, author={Johnson, K. L. and Kendall, K. and Roberts, A. "
-        "D.}, title={Surface energy and the contact of elastic solids}, "
-        "journal={Proceedings of the Royal Society of London A}, volume={324}, "
-        "pages={301--313}, year={1971}, doi={10.1098/rspa.1971.0141}}"
-    )
+    citation: ClassVar[str] = cite("johnson1971")
 
     def constants(self, pair: Pair) -> Constants:
         """Reduce a pair of materials to the constants of its contacts."""

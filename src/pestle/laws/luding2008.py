@@ -18,9 +18,10 @@ from dataclasses import dataclass, field
 from math import sqrt
 from typing import ClassVar, NamedTuple
 
+from pestle.citations import cite
 from pestle.errors import EnergyWarning, InputError
 from pestle.laws._base import Geometry, Pair, Response, register
-from pestle.laws._plot import Drawn
+from pestle.laws._options import PairLaw, parameter
 
 
 class Constants(NamedTuple):
@@ -42,64 +43,38 @@ class State(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Luding2008(Drawn):
-    """Linear elastic-plastic adhesive contacts.
+class Luding2008(PairLaw):
+    """Linear elastic-plastic adhesive contacts."""
 
-    Parameters
-    ----------
-    loading_stiffness, unloading_stiffness, cohesive_stiffness : float
-        k_1, largest k_2 and k_c [N/m].
-    plasticity_depth : float
-        phi_f: overlap over the radius where k_2 is largest; 0: always [-].
-    hold_stiffness : bool
-        A contact loaded plastically again keeps its k_2 where that is larger; else k_2
-        is that of the new, lower delta_max.  Then a contact that was pulled gives back
-        more than its ledger holds: stored energy appears from nothing.
-    """
-
-    loading_stiffness: float = field(
-        metadata={"help": "k_1, plastic loading [N/m]", "unit": "N/m"}
+    loading_stiffness: float = parameter("k_1, plastic loading", "N/m")
+    unloading_stiffness: float = parameter("k_2, unloading after deep loading", "N/m")
+    cohesive_stiffness: float = parameter(
+        "k_c, adhesive line", "N/m", ends="[)", default=0.0
     )
-    unloading_stiffness: float = field(
-        metadata={"help": "k_2, unloading after deep loading [N/m]", "unit": "N/m"}
-    )
-    cohesive_stiffness: float = field(
-        default=0.0, metadata={"help": "k_c, adhesive line [N/m]", "unit": "N/m"}
-    )
-    plasticity_depth: float = field(
+    plasticity_depth: float = parameter(
+        "phi_f, overlap over the radius where k_2 is largest; 0: always",
+        ends="[)",
         default=0.0,
-        metadata={"help": "phi_f, depth where k_2 is largest over the radius [-]"},
     )
-
     hold_stiffness: bool = field(
-        default=True, metadata={"help": "k_2 of a contact never falls"}
+        default=True,
+        metadata={"help": "a contact never loses k_2; else k_2 follows delta_max"},
     )
 
     name: ClassVar[str] = "luding2008"
     summary: ClassVar[str] = "linear elastic-plastic, adhesion grows with plasticity"
     validity: ClassVar[str] = "a rule: stiffnesses are calibrated"
     linear: ClassVar[bool] = True
-    citation: ClassVar[str] = (
-        "@article{luding2008, author={Luding, Stefan}, title={Cohesive, frictional "
-        "powders: contact models for tension}, journal={Granular Matter}, volume={10}, "
-        "pages={235--246}, year={2008}, doi={10.1007/s10035-008-0099-x}}"
-    )
+    citation: ClassVar[str] = cite("luding2008")
 
-    def __post_init__(self) -> None:
-        """Check the options."""
+    def _check(self) -> None:
         k1, k2 = self.loading_stiffness, self.unloading_stiffness
-        if not k2 > k1 > 0.0:
+        if not k2 > k1:
             raise InputError(
                 "soft-unloading",
                 f"unloading_stiffness {k2:g} N/m is not above loading_stiffness {k1:g}",
                 "law.unloading_stiffness",
                 "usually 2 to 10 times the loading stiffness",
-            )
-        if self.cohesive_stiffness < 0.0 or self.plasticity_depth < 0.0:
-            raise InputError(
-                "negative-option",
-                "cohesive_stiffness and plasticity_depth must not be negative",
-                "law.cohesive_stiffness",
             )
         if not self.hold_stiffness and self.plasticity_depth > 0.0:
             warnings.warn(

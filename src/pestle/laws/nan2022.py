@@ -26,13 +26,14 @@ Reference: W. Nan, W. P. Goh, M. T. Rahman, Powder Technol. 406 (2022) 117634.
 """
 
 import warnings
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from math import inf, pi
 from typing import ClassVar, NamedTuple
 
-from pestle.errors import EnergyWarning, InputError
+from pestle.citations import cite
+from pestle.errors import EnergyWarning
 from pestle.laws._base import Geometry, Pair, Response, Solid, register
-from pestle.laws._plot import Drawn
+from pestle.laws._options import PairLaw, choice, parameter
 from pestle.reference import nan2022 as theory
 from pestle.reference.nan2022 import Contact, respond, stiffness_ratio
 from pestle.reference.nan2022 import contact as complete
@@ -63,43 +64,33 @@ class State(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Nan2022(Drawn):
-    """Linear elastic-plastic adhesive contacts with parameters from the material.
+class Nan2022(PairLaw):
+    """Linear elastic-plastic adhesive contacts with parameters from the material."""
 
-    Parameters
-    ----------
-    pull_off : str
-        ``"nan59"``, ``"tn64"``, ``"energy67"`` or ``"pasha61"`` (which creates energy).
-    pressure_rule : str
-        Limiting pressure from the yield stress: (32) or (33).
-    elastic_ratio : float
-        k_el over pi R* p_y [-]: 1 is (52).
-    plastic_ratio : float
-        k_p over k_el, at most 1 [-].
-    damping_after_yield : float
-        beta of (26) after yield [-].
-    alpha_forget : float
-        A parted contact below this overlap is as new [m].
-    """
-
-    pull_off: str = field(
+    pull_off: str = choice(
+        'rule of the pull-off force; "pasha61" creates energy',
+        theory.RULES,
         default="nan59",
-        metadata={"help": "rule of the pull-off force", "choices": theory.RULES},
     )
-    pressure_rule: str = field(
+    pressure_rule: str = choice(
+        "p_y from the yield stress, (32) or (33)",
+        tuple(PRESSURES),
         default="jackson_green",
-        metadata={"help": "p_y from the yield stress", "choices": tuple(PRESSURES)},
     )
-    elastic_ratio: float = field(
-        default=1.0, metadata={"help": "k_el over pi R* p_y [-]"}
+    elastic_ratio: float = parameter("k_el over pi R* p_y; 1 is (52)", default=1.0)
+    plastic_ratio: float = parameter("k_p over k_el", "1", 0.0, 1.0, "(]", default=1.0)
+    damping_after_yield: float = parameter(
+        "beta of (26), factor on the damping of yielded contacts",
+        ends="[)",
+        default=0.1,
     )
-    plastic_ratio: float = field(default=1.0, metadata={"help": "k_p over k_el [-]"})
-    damping_after_yield: float = field(
-        default=0.1, metadata={"help": "factor on the damping of yielded contacts [-]"}
-    )
-    alpha_forget: float = field(
+    alpha_forget: float = parameter(
+        "overlap, 0 or negative, below which a parted contact is as new",
+        "m",
+        -inf,
+        0.0,
+        "(]",
         default=0.0,
-        metadata={"help": "overlap where a parted contact forgets [m]", "unit": "m"},
     )
 
     name: ClassVar[str] = "nan2022"
@@ -109,45 +100,9 @@ class Nan2022(Drawn):
     )
     linear: ClassVar[bool] = True
     requires: ClassVar[tuple[str, ...]] = ("yield_stress",)
-    citation: ClassVar[str] = (
-        "@article{nan2022, author={Nan, Wenguang and Goh, Wei Pin and Rahman, "
-        "Mohammad Tarequr}, title={Elasto-plastic and adhesive contact: An improved "
-        "linear model and its application}, journal={Powder Technology}, volume={406}, "
-        "pages={117634}, year={2022}, doi={10.1016/j.powtec.2022.117634}}"
-    )
+    citation: ClassVar[str] = cite("nan2022")
 
-    def __post_init__(self) -> None:
-        """Check the options."""
-        for name, choices in (
-            ("pull_off", theory.RULES),
-            ("pressure_rule", tuple(PRESSURES)),
-        ):
-            if getattr(self, name) not in choices:
-                raise InputError(
-                    "unknown-choice",
-                    f"{name} {getattr(self, name)!r} is none of {', '.join(choices)}",
-                    f"law.{name}",
-                )
-        if not 0.0 < self.plastic_ratio <= 1.0:
-            raise InputError(
-                "bad-plastic-ratio",
-                f"plastic_ratio {self.plastic_ratio:g} is not between 0 and 1",
-                "law.plastic_ratio",
-                "with k_p above k_el the contact would never yield",
-            )
-        if not self.elastic_ratio > 0.0 or self.damping_after_yield < 0.0:
-            raise InputError(
-                "negative-option",
-                "elastic_ratio must be positive, damping_after_yield not negative",
-                "law.elastic_ratio",
-            )
-        if not -inf < self.alpha_forget <= 0.0:
-            raise InputError(
-                "bad-forget",
-                f"alpha_forget {self.alpha_forget:g} m is positive or infinite",
-                "law.alpha_forget",
-                "0, or minus the gap over which flattened contacts are remembered",
-            )
+    def _check(self) -> None:
         if self.pull_off == "pasha61":
             warnings.warn(
                 "pull_off = pasha61: a slightly yielded contact loses its adhesion and "

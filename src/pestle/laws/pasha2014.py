@@ -14,12 +14,13 @@ Reference: M. Pasha et al., Granul. Matter 16 (2014) 151-162; from a digest, not
 against print.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import ClassVar, NamedTuple
 
+from pestle.citations import cite
 from pestle.errors import InputError
 from pestle.laws._base import Geometry, Pair, Response, register
-from pestle.laws._plot import Drawn
+from pestle.laws._options import PairLaw, parameter
 from pestle.reference.pasha2014 import Full, full_line, full_yield_overlap
 
 
@@ -41,54 +42,27 @@ class State(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Pasha2014(Drawn):
-    """Linear elastic-plastic adhesive contacts with given stiffnesses.
+class Pasha2014(PairLaw):
+    """Linear elastic-plastic adhesive contacts with given stiffnesses."""
 
-    Parameters
-    ----------
-    elastic_stiffness, plastic_stiffness : float
-        k_e and k_p [N/m].
-    yield_force : float
-        f_y [N].
-    """
-
-    elastic_stiffness: float = field(
-        metadata={"help": "k_e, elastic loading and unloading [N/m]", "unit": "N/m"}
-    )
-    plastic_stiffness: float = field(
-        metadata={"help": "k_p, loading beyond yield [N/m]", "unit": "N/m"}
-    )
-    yield_force: float = field(
-        default=0.0, metadata={"help": "f_y, force at yield [N]", "unit": "N"}
-    )
+    elastic_stiffness: float = parameter("k_e, elastic loading and unloading", "N/m")
+    plastic_stiffness: float = parameter("k_p, loading beyond yield", "N/m")
+    yield_force: float = parameter("f_y, force at yield", "N", ends="[)", default=0.0)
 
     name: ClassVar[str] = "pasha2014"
     summary: ClassVar[str] = "linear elastic-plastic adhesive, stiffnesses given"
     validity: ClassVar[str] = "a rule: stiffnesses are calibrated"
     linear: ClassVar[bool] = True
-    citation: ClassVar[str] = (
-        "@article{pasha2014, author={Pasha, M. and Dogbe, S. and Hare, C. and "
-        "Hassanpour, A. and Ghadiri, M.}, title={A linear model of elasto-plastic and "
-        "adhesive contact deformation}, journal={Granular Matter}, volume={16}, "
-        "pages={151--162}, year={2014}, doi={10.1007/s10035-013-0476-y}}"
-    )
+    citation: ClassVar[str] = cite("pasha2014")
 
-    def __post_init__(self) -> None:
-        """Check the options."""
+    def _check(self) -> None:
         ke, kp = self.elastic_stiffness, self.plastic_stiffness
-        if not ke >= kp > 0.0:
+        if not ke >= kp:
             raise InputError(
                 "soft-unloading",
-                f"plastic_stiffness {kp:g} N/m is not between 0 and "
-                f"elastic_stiffness {ke:g} N/m",
+                f"plastic_stiffness {kp:g} N/m is above elastic_stiffness {ke:g} N/m",
                 "law.plastic_stiffness",
                 "a contact that unloads softer than it loads creates energy",
-            )
-        if self.yield_force < 0.0:
-            raise InputError(
-                "negative-option",
-                f"yield_force {self.yield_force:g} N is negative",
-                "law.yield_force",
             )
 
     def constants(self, pair: Pair) -> Constants:

@@ -18,13 +18,14 @@ against print.
 """
 
 import warnings
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import ClassVar, NamedTuple
 
+from pestle.citations import cite
 from pestle.errors import EnergyWarning, InputError
 from pestle.laws._base import Geometry, Pair, Response, register
-from pestle.laws._plot import Drawn
-from pestle.reference.pasha2014 import PARTING, Line, Simple, simple_line
+from pestle.laws._options import PairLaw, parameter
+from pestle.reference.pasha2014 import PARTING, Simple, simple_bond, simple_line
 
 
 class Constants(NamedTuple):
@@ -47,74 +48,55 @@ class State(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Pasha2014Simplified(Drawn):
-    """Linear plastic adhesive contacts without an elastic range.
+class Pasha2014Simplified(PairLaw):
+    """Linear plastic adhesive contacts without an elastic range."""
 
-    Parameters
-    ----------
-    plastic_stiffness, cohesive_stiffness : float
-        k_p and k_cp [N/m].
-    touch_force, pull_off_force : float
-        -f_0 and -f_0p: tensions at first touch and of the line of pull-off points, as
-        positive numbers [N].
-    elastic_stiffness : float
-        k_e [N/m]; None: growing with the largest overlap.
-    stiffest : float
-        k^ of the growing k_e [N/m].
-    """
-
-    plastic_stiffness: float = field(
-        metadata={"help": "k_p, loading [N/m]", "unit": "N/m"}
+    plastic_stiffness: float = parameter("k_p, loading", "N/m")
+    cohesive_stiffness: float = parameter(
+        "k_cp of the line of pull-off points", "N/m", ends="[)", default=0.0
     )
-    cohesive_stiffness: float = field(
-        default=0.0, metadata={"help": "k_cp of the pull-off points", "unit": "N/m"}
+    touch_force: float = parameter(
+        "-f_0, tension at first touch", "N", ends="[)", default=0.0
     )
-    touch_force: float = field(
-        default=0.0, metadata={"help": "-f_0, tension at first touch", "unit": "N"}
+    pull_off_force: float = parameter(
+        "-f_0p, least pull-off force", "N", ends="[)", default=0.0
     )
-    pull_off_force: float = field(
-        default=0.0, metadata={"help": "-f_0p, least pull-off force", "unit": "N"}
+    elastic_stiffness: float | None = parameter(
+        "constant k_e of unloading", "N/m", default=None
     )
-    elastic_stiffness: float | None = field(
-        default=None, metadata={"help": "constant k_e of unloading", "unit": "N/m"}
-    )
-    stiffest: float | None = field(
-        default=None, metadata={"help": "k_e at an overlap of R*", "unit": "N/m"}
+    stiffest: float | None = parameter(
+        "k^, at an overlap of R*, of a k_e that grows with the largest overlap",
+        "N/m",
+        default=None,
     )
 
     name: ClassVar[str] = "pasha2014_simplified"
     summary: ClassVar[str] = "linear plastic adhesive without an elastic range"
     validity: ClassVar[str] = "a rule: stiffnesses are calibrated"
     linear: ClassVar[bool] = True
-    citation: ClassVar[str] = (
-        "@article{pasha2014, author={Pasha, M. and Dogbe, S. and Hare, C. and "
-        "Hassanpour, A. and Ghadiri, M.}, title={A linear model of elasto-plastic and "
-        "adhesive contact deformation}, journal={Granular Matter}, volume={16}, "
-        "pages={151--162}, year={2014}, doi={10.1007/s10035-013-0476-y}}"
-    )
+    citation: ClassVar[str] = cite("pasha2014")
 
-    def __post_init__(self) -> None:
-        """Check the options."""
+    def _check(self) -> None:
         kp = self.plastic_stiffness
         stiff = self.elastic_stiffness or self.stiffest
-        if (self.elastic_stiffness is None) == (self.stiffest is None):
+        if stiff is None or None not in (self.elastic_stiffness, self.stiffest):
             raise InputError(
                 "one-stiffness",
                 "give elastic_stiffness or stiffest, one of them",
                 "law.elastic_stiffness",
             )
-        if stiff is None or not stiff > kp > 0.0:
+        if not stiff > kp:
             raise InputError(
                 "soft-unloading",
-                f"plastic_stiffness {kp:g} N/m is not between 0 and that of unloading",
+                f"plastic_stiffness {kp:g} N/m is not below that of unloading",
                 "law.plastic_stiffness",
                 "a contact that unloads softer than it loads creates energy",
             )
-        if not self.pull_off_force >= self.touch_force >= 0.0:
+        if not self.pull_off_force >= self.touch_force:
             raise InputError(
                 "bad-pull-off",
                 f"pull_off_force {self.pull_off_force:g} N is below "
-                f"touch_force {self.touch_force:g} N, or one is negative",
+                f"touch_force {self.touch_force:g} N",
                 "law.pull_off_force",
             )
         if self._gains():
@@ -131,7 +113,7 @@ class Pasha2014Simplified(Drawn):
         if self.touch_force == 0.0 or k.elastic == 0.0:
             return False
         u = simple_line(k, -k.first / k.plastic)
-        return bond(k, u) > PARTING * u.pull_off**2 / k.elastic
+        return simple_bond(k, u) > PARTING * u.pull_off**2 / k.elastic
 
     def _numbers(self) -> tuple[float, float, float, float, float, float]:
         return (
@@ -148,21 +130,6 @@ class Pasha2014Simplified(Drawn):
         return Constants(*self._numbers(), pair.modulus)
 
 
-def bond(k: Simple, u: Line) -> float:
-    """Adhesive part of the stored energy, negative of what is stored at alpha_p [J].
-
-    At least W5, so that no contact wins by attaching again; and so much that the way
-    in, which is drawn by f_0 along the softer k_p, takes nothing from nowhere.
-    """
-    fresh = simple_line(k, 0.0)
-    first = 32.0 / 81.0 * fresh.pull_off * fresh.pull_off / fresh.stiffness
-    way = (0.5 * k.plastic * u.peak + k.first) * u.peak
-    lost = way + 0.5 * k.first * k.first / fresh.stiffness
-    lost -= 0.5 * u.force * u.force / u.stiffness
-    again = 32.0 / 81.0 * u.pull_off * u.pull_off / u.stiffness
-    return max(again, first - lost)
-
-
 def contact(k: Constants, g: Geometry, s: State) -> tuple[Response, State]:
     """Force, stiffness, stored energy and new state at an overlap."""
     simple = Simple(
@@ -176,7 +143,7 @@ def contact(k: Constants, g: Geometry, s: State) -> tuple[Response, State]:
     pulls = g.overlap <= u.turn
     back = u.stiffness * (g.overlap - u.rest)
     force = u.pull_off - u.stiffness * (g.overlap - u.turn) if pulls else back
-    paid = bond(simple, u)
+    paid = simple_bond(simple, u)
     turned = 0.5 * u.pull_off * u.pull_off / u.stiffness
     fell = 0.5 * (u.turn - g.overlap) * (force + u.pull_off)
     elastic = turned - fell if pulls else 0.5 * force * force / u.stiffness

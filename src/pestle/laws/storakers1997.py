@@ -17,13 +17,13 @@ References: B. Storakers, S. Biwa, P.-L. Larsson, Int. J. Solids Struct. 34 (199
 3061-3083; S. Biwa, B. Storakers, J. Mech. Phys. Solids 43 (1995) 1303-1333.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from math import exp, inf, pi, sqrt
 from typing import ClassVar, NamedTuple
 
-from pestle.errors import InputError
+from pestle.citations import cite
 from pestle.laws._base import Geometry, Pair, Response, register
-from pestle.laws._plot import Drawn
+from pestle.laws._options import PairLaw, parameter
 
 
 class Constants(NamedTuple):
@@ -42,17 +42,16 @@ class State(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Storakers1997(Drawn):
-    """Power-law hardening spheres, elastic unloading.
+class Storakers1997(PairLaw):
+    """Power-law hardening spheres, elastic unloading."""
 
-    Parameters
-    ----------
-    hardening_exponent : float
-        n = 1/m in sigma = sigma_0 eps^n, from 0 (perfectly plastic) to below 1 [-].
-    """
-
-    hardening_exponent: float = field(
-        default=0.0, metadata={"help": "n = 1/m in sigma = sigma_0 eps^n [-]"}
+    hardening_exponent: float = parameter(
+        "n = 1/m in sigma = sigma_0 eps^n; 0 is perfectly plastic",
+        "1",
+        0.0,
+        1.0,
+        "[)",
+        default=0.0,
     )
 
     name: ClassVar[str] = "storakers1997"
@@ -61,22 +60,7 @@ class Storakers1997(Drawn):
         "small strain, x up to about 0.03; contacts independent of each other"
     )
     requires: ClassVar[tuple[str, ...]] = ("yield_stress",)
-    citation: ClassVar[str] = (
-        "@article{storakers1997, author={Stor{\\aa}kers, B. and Biwa, S. and Larsson, "
-        "P.-L.}, title={Similarity analysis of inelastic contact}, "
-        "journal={International Journal of Solids and Structures}, volume={34}, "
-        "pages={3061--3083}, year={1997}, doi={10.1016/S0020-7683(96)00176-X}}"
-    )
-
-    def __post_init__(self) -> None:
-        """Check the options."""
-        if not 0.0 <= self.hardening_exponent < 1.0:
-            raise InputError(
-                "bad-exponent",
-                f"hardening_exponent {self.hardening_exponent:g} is not in [0, 1)",
-                "law.hardening_exponent",
-                "1/m of the paper; 0 is perfectly plastic",
-            )
+    citation: ClassVar[str] = cite("storakers1997")
 
     def constants(self, pair: Pair) -> Constants:
         """Reduce a pair of materials to the constants of its contacts."""

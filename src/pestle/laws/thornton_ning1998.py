@@ -17,12 +17,12 @@ Reference: C. Thornton, Z. Ning, Powder Technol. 99 (1998) 154-162.
 """
 
 import warnings
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import ClassVar, NamedTuple
 
-from pestle.errors import InputError
+from pestle.citations import cite
 from pestle.laws._base import Geometry, Pair, Response, register
-from pestle.laws._plot import Drawn
+from pestle.laws._options import PairLaw, choice
 from pestle.reference.jkr_contact import (
     contact_radius,
     energy_at,
@@ -58,19 +58,14 @@ class State(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ThorntonNing1998(Drawn):
-    """JKR with a limiting pressure and plastic flattening.
+class ThorntonNing1998(PairLaw):
+    """JKR with a limiting pressure and plastic flattening."""
 
-    Parameters
-    ----------
-    variant : str
-        Force after yield: ``"tangent"`` (reproduces Ning's curves), ``"exact"`` (the
-        truncated JKR pressure integrated) or ``"ay_over_a"``.
-    """
-
-    variant: str = field(
+    variant: str = choice(
+        'force after yield: "tangent" reproduces Ning\'s curves, "exact" integrates '
+        "the truncated JKR pressure",
+        VARIANTS,
         default="tangent",
-        metadata={"help": "force after yield", "choices": VARIANTS},
     )
 
     name: ClassVar[str] = "thornton_ning1998"
@@ -80,21 +75,7 @@ class ThorntonNing1998(Drawn):
         "contact yield"
     )
     requires: ClassVar[tuple[str, ...]] = ("yield_stress",)
-    citation: ClassVar[str] = (
-        "@article{thornton1998, author={Thornton, Colin and Ning, Zemin}, title={A "
-        "theoretical model for the stick/bounce behaviour of adhesive, elastic-plastic "
-        "spheres}, journal={Powder Technology}, volume={99}, pages={154--162}, "
-        "year={1998}, doi={10.1016/S0032-5910(98)00099-0}}"
-    )
-
-    def __post_init__(self) -> None:
-        """Check the options."""
-        if self.variant not in VARIANTS:
-            raise InputError(
-                "unknown-choice",
-                f"variant {self.variant!r} is none of {', '.join(VARIANTS)}",
-                "law.variant",
-            )
+    citation: ClassVar[str] = cite("thornton1998")
 
     def constants(self, pair: Pair) -> Constants:
         """Reduce a pair of materials; p_y is that of Jackson and Green."""

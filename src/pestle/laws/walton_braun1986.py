@@ -12,13 +12,14 @@ Reference: O. R. Walton, R. L. Braun, J. Rheol. 30 (1986) 949-980; the formulas 
 commonly used ones, not checked against print.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from math import sqrt
 from typing import ClassVar, NamedTuple
 
+from pestle.citations import cite
 from pestle.errors import InputError
 from pestle.laws._base import Geometry, Pair, Response, register
-from pestle.laws._plot import Drawn
+from pestle.laws._options import PairLaw, parameter
 
 
 class Constants(NamedTuple):
@@ -37,51 +38,25 @@ class State(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class WaltonBraun1986(Drawn):
-    """Linear plastic loading, stiffer linear unloading.
+class WaltonBraun1986(PairLaw):
+    """Linear plastic loading, stiffer linear unloading."""
 
-    Parameters
-    ----------
-    loading_stiffness : float
-        K_1 [N/m].
-    unloading_stiffness : float
-        K_2 [N/m], constant; None: K_2 = K_1 + S F_max.
-    steepening : float
-        S [1/m] where no K_2 is given.
-    """
-
-    loading_stiffness: float = field(
-        metadata={"help": "K_1, stiffness of loading [N/m]", "unit": "N/m"}
+    loading_stiffness: float = parameter("K_1, stiffness of loading", "N/m")
+    unloading_stiffness: float | None = parameter(
+        "K_2, constant, of unloading; none: K_1 + S F_max", "N/m", default=None
     )
-    unloading_stiffness: float | None = field(
-        default=None,
-        metadata={"help": "K_2 of unloading [N/m], else from S", "unit": "N/m"},
-    )
-    steepening: float = field(
-        default=0.0,
-        metadata={"help": "S in K_2 = K_1 + S F_max [1/m]", "unit": "1/m"},
+    steepening: float = parameter(
+        "S of K_2 = K_1 + S F_max", "1/m", ends="[)", default=0.0
     )
 
     name: ClassVar[str] = "walton_braun1986"
     summary: ClassVar[str] = "linear plastic loading, stiffer unloading; no adhesion"
     validity: ClassVar[str] = "a rule: stiffnesses are calibrated"
     linear: ClassVar[bool] = True
-    citation: ClassVar[str] = (
-        "@article{walton1986, author={Walton, Otis R. and Braun, Robert L.}, "
-        "title={Viscosity, granular-temperature, and stress calculations for shearing "
-        "assemblies of inelastic, frictional disks}, journal={Journal of Rheology}, "
-        "volume={30}, pages={949--980}, year={1986}, doi={10.1122/1.549893}}"
-    )
+    citation: ClassVar[str] = cite("walton1986")
 
-    def __post_init__(self) -> None:
-        """Check the options."""
+    def _check(self) -> None:
         k1, k2 = self.loading_stiffness, self.unloading_stiffness
-        if not k1 > 0.0:
-            raise InputError(
-                "bad-stiffness",
-                f"loading_stiffness {k1:g} N/m is not positive",
-                "law.loading_stiffness",
-            )
         if k2 is not None and k2 < k1:
             raise InputError(
                 "soft-unloading",
@@ -89,10 +64,10 @@ class WaltonBraun1986(Drawn):
                 "law.unloading_stiffness",
                 "a contact that unloads softer than it loads creates energy",
             )
-        if self.steepening < 0.0 or (k2 is not None and self.steepening > 0.0):
+        if k2 is not None and self.steepening > 0.0:
             raise InputError(
                 "bad-steepening",
-                f"steepening {self.steepening:g} 1/m is negative or beside a given K_2",
+                f"steepening {self.steepening:g} 1/m stands beside a given K_2",
                 "law.steepening",
                 "give either unloading_stiffness or steepening",
             )

@@ -19,16 +19,9 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from pestle.particle.law import (
-    Array,
-    Curve,
-    Loading,
-    Range,
-    choice,
-    parameter,
-    register,
-    warn_outside,
-)
+from pestle.citations import cite
+from pestle.laws._options import choice, parameter
+from pestle.particle.law import Array, Curve, Loading, Range, register, warn_outside
 
 
 def area_ratio(h: float) -> float:
@@ -109,7 +102,7 @@ class Biwa1995(Loading):
 
     strength: float = parameter("strength kappa of sigma = kappa eps^h", "Pa")
     hardening_exponent: float = parameter(
-        "exponent h = 1/m; 0 is perfectly plastic", "1", 0.0, 1.0, closed=True
+        "exponent h = 1/m; 0 is perfectly plastic", "1", 0.0, 1.0, ends="[]"
     )
     curvature: str = choice(
         "correction of the radius for curvature: none, Eq. B.24 or Eq. B.25",
@@ -122,12 +115,7 @@ class Biwa1995(Loading):
     validity: ClassVar[str] = (
         "small strain, x <= 0.03; contacts independent of each other and of the walls"
     )
-    citation: ClassVar[str] = (
-        "@article{biwa1995, author={Biwa, S. and Storakers, B.}, title={An analysis of "
-        "fully plastic Brinell indentation}, journal={Journal of the Mechanics and "
-        "Physics of Solids}, volume={43}, pages={1303--1333}, year={1995}, "
-        "doi={10.1016/0022-5096(95)00031-D}}"
-    )
+    citation: ClassVar[str] = cite("biwa1995")
 
     def _curve(self, x: Array, radius: float, configuration: str) -> Curve:
         warn_outside(self.name, "x", x, SMALL)

@@ -27,6 +27,7 @@ from typing import Any, ClassVar, Literal
 
 import numpy as np
 
+from pestle.laws._options import choice, parameter
 from pestle.particle.edmans2020 import Edmans2020
 from pestle.particle.law import (
     Array,
@@ -35,8 +36,6 @@ from pestle.particle.law import (
     Peak,
     Range,
     Unloading,
-    choice,
-    parameter,
     register,
     warn_outside,
 )

@@ -24,15 +24,9 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from pestle.particle.law import (
-    Array,
-    Curve,
-    Peak,
-    Range,
-    parameter,
-    register,
-    warn_outside,
-)
+from pestle.citations import cite
+from pestle.laws._options import parameter
+from pestle.particle.law import Array, Curve, Peak, Range, register, warn_outside
 from pestle.particle.law import Unloading as UnloadingLaw
 
 GAMMAS = (2.9932, 0.1206, 0.4865, 0.2563, 0.3429)
@@ -122,11 +116,7 @@ class Edmans2020(UnloadingLaw):
         "1 <= E/sigma_y <= 1000, 0 <= nu <= 0.45, peaks at 0.01 <= x <= 0.5; perfectly "
         "plastic, no adhesion; the contact radius in unloading is not given"
     )
-    citation: ClassVar[str] = (
-        "@article{edmans2020, author={Edmans, B. D. and Sinka, I. C.}, "
-        "title={Unloading of elastoplastic spheres from large deformations}, "
-        "journal={Powder Technology}, volume={374}, pages={618--631}, year={2020}}"
-    )
+    citation: ClassVar[str] = cite("edmans2020")
 
     def curve(self, displacement: Array, peak: Peak) -> Curve:
         """Force below a peak (2); this law has no contact radius."""

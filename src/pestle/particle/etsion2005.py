@@ -18,6 +18,8 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from pestle.citations import cite
+from pestle.laws._options import parameter
 from pestle.particle import edmans2020
 from pestle.particle.law import (
     Array,
@@ -25,7 +27,6 @@ from pestle.particle.law import (
     Peak,
     Range,
     Unloading,
-    parameter,
     register,
     warn_outside,
 )
@@ -59,12 +60,7 @@ class Etsion2005(Unloading):
     name: ClassVar[str] = "etsion2005"
     summary: ClassVar[str] = "unloading of hard spheres at small displacement"
     validity: ClassVar[str] = "297 <= E/sigma_y <= 2464, peaks up to 170 d_c"
-    citation: ClassVar[str] = (
-        "@article{etsion2005, author={Etsion, I. and Kligerman, Y. and Kadin, Y.}, "
-        "title={Unloading of an elastic-plastic loaded spherical contact}, "
-        "journal={International Journal of Solids and Structures}, volume={42}, "
-        "pages={3716--3729}, year={2005}, doi={10.1016/j.ijsolstr.2004.12.006}}"
-    )
+    citation: ClassVar[str] = cite("etsion2005")
 
     def curve(self, displacement: Array, peak: Peak) -> Curve:
         """Force below a peak; this law has no contact radius."""

@@ -8,19 +8,19 @@ both follows any path.  Arrays in, arrays out; a parameter may be an array that
 broadcasts against `displacement`.
 """
 
-import dataclasses
 import warnings
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import MISSING, dataclass, field
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pestle.errors import InputError, did_you_mean
+from pestle.errors import InputError
+from pestle.laws._options import Checked
 from pestle.particle.configuration import CONFIGURATIONS, checked
 
 if TYPE_CHECKING:
@@ -94,72 +94,14 @@ def warn_outside(law: str, quantity: str, value: Any, limits: Range) -> None:
         )
 
 
-def parameter(
-    text: str,
-    unit: str,
-    low: float = 0.0,
-    high: float = np.inf,
-    *,
-    closed: bool = False,
-    default: Any = MISSING,
-) -> Any:
-    """Field of a law with help, SI unit and an interval of possible values."""
-    metadata = {"help": text, "unit": unit, "low": low, "high": high, "closed": closed}
-    if default is MISSING:
-        return field(metadata=metadata)
-    return field(default=default, metadata=metadata)
-
-
-def choice(text: str, options: tuple[str, ...], *, default: str) -> Any:
-    """Field of a law that is one of a few words."""
-    return field(default=default, metadata={"help": text, "choices": options})
-
-
 @dataclass(frozen=True, kw_only=True)
-class ParticleLaw(ABC):
+class ParticleLaw(Checked, ABC):
     """What loading and unloading laws share: a name, a source, checked parameters."""
 
     name: ClassVar[str]
     summary: ClassVar[str]
     citation: ClassVar[str]
     validity: ClassVar[str]
-
-    def __post_init__(self) -> None:
-        """Refuse what is not possible."""
-        for entry in dataclasses.fields(self):
-            value = getattr(self, entry.name)
-            if "choices" in entry.metadata:
-                _check_choice(self.name, entry, value)
-            elif "low" in entry.metadata and value is not None:
-                _check_number(self.name, entry, value)
-
-
-def _check_choice(law: str, entry: "dataclasses.Field[Any]", value: Any) -> None:
-    options = entry.metadata["choices"]
-    if value not in options:
-        raise InputError(
-            "unknown-option",
-            f"{entry.name} of {law} cannot be {value!r}",
-            hint=did_you_mean(str(value), options),
-        )
-
-
-def _check_number(law: str, entry: "dataclasses.Field[Any]", value: Any) -> None:
-    low, high, unit, closed = (
-        entry.metadata[key] for key in ("low", "high", "unit", "closed")
-    )
-    numbers = np.asarray(value, dtype=float)
-    inside = (numbers > low) & (numbers < high)
-    fits = np.isfinite(numbers) & (
-        (numbers >= low) & (numbers <= high) if closed else inside
-    )
-    if not np.all(fits):
-        raise InputError(
-            "law-parameter-out-of-range",
-            f"{entry.name} = {np.ravel(numbers[~fits])[0]:g} is not possible for {law}",
-            hint=f"{entry.name} lies between {low:g} and {high:g}"
-            + ("" if unit == "1" else f" {unit}"),
-        )
 
 
 @dataclass(frozen=True, kw_only=True)

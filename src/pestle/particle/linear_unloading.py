@@ -18,7 +18,9 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from pestle.particle.law import Array, Curve, Peak, Unloading, parameter, register
+from pestle.citations import cite
+from pestle.laws._options import parameter
+from pestle.particle.law import Array, Curve, Peak, Unloading, register
 
 
 def luding_stiffness(k1: Any, k2_max: Any, largest: Any, transition: Any) -> Any:
@@ -57,11 +59,7 @@ class Luding2008(Unloading):
         "a rule with two free numbers; the ratio k_2/k_1 of simulations is not linear "
         "in displacement (Edmans and Sinka 2020, Fig. 10)"
     )
-    citation: ClassVar[str] = (
-        "@article{luding2008, author={Luding, S.}, title={Cohesive, frictional "
-        "powders: contact models for tension}, journal={Granular Matter}, volume={10}, "
-        "pages={235--246}, year={2008}, doi={10.1007/s10035-008-0099-x}}"
-    )
+    citation: ClassVar[str] = cite("luding2008")
 
     def curve(self, displacement: Array, peak: Peak) -> Curve:
         """Force below a peak; this law has no contact radius."""
@@ -90,12 +88,7 @@ class Walton1986(Unloading):
         "a rule with one free number; the ratio k_2/k_1 of simulations is not linear "
         "in force (Edmans and Sinka 2020, Fig. 11)"
     )
-    citation: ClassVar[str] = (
-        "@article{walton1986, author={Walton, O. R. and Braun, R. L.}, "
-        "title={Viscosity, granular-temperature, and stress calculations for shearing "
-        "assemblies of inelastic, frictional disks}, journal={Journal of Rheology}, "
-        "volume={30}, pages={949--980}, year={1986}, doi={10.1122/1.549893}}"
-    )
+    citation: ClassVar[str] = cite("walton1986")
 
     def curve(self, displacement: Array, peak: Peak) -> Curve:
         """Force below a peak; this law has no contact radius."""

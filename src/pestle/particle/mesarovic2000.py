@@ -24,15 +24,9 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from pestle.particle.law import (
-    Array,
-    Curve,
-    Peak,
-    Unloading,
-    parameter,
-    register,
-    warn_once,
-)
+from pestle.citations import cite
+from pestle.laws._options import parameter
+from pestle.particle.law import Array, Curve, Peak, Unloading, register, warn_once
 
 
 def force_ratio(radius_ratio: Any) -> Any:
@@ -72,12 +66,7 @@ class Mesarovic2000(Unloading):
         "fully plastic contacts that are small against the particle; at x = 0.5 only "
         "for soft particles (Edmans and Sinka 2020, Fig. 13)"
     )
-    citation: ClassVar[str] = (
-        "@article{mesarovic2000, author={Mesarovic, S. Dj. and Johnson, K. L.}, "
-        "title={Adhesive contact of elastic-plastic spheres}, journal={Journal of the "
-        "Mechanics and Physics of Solids}, volume={48}, pages={2009--2033}, "
-        "year={2000}, doi={10.1016/S0022-5096(00)00004-1}}"
-    )
+    citation: ClassVar[str] = cite("mesarovic2000")
 
     def curve(self, displacement: Array, peak: Peak) -> Curve:
         """Force and contact radius below a peak (10)."""

@@ -10,16 +10,10 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from pestle.citations import cite
 from pestle.errors import InputError
-from pestle.particle.law import (
-    Array,
-    Curve,
-    Loading,
-    Range,
-    parameter,
-    register,
-    warn_outside,
-)
+from pestle.laws._options import parameter
+from pestle.particle.law import Array, Curve, Loading, Range, register, warn_outside
 from pestle.particle.shahin2021_hardness import (
     Parameters,
     hardness,
@@ -51,12 +45,7 @@ class Shahin2021(Loading):
         "simple compression to x = 0.5, die and hydrostatic a little beyond zero "
         "porosity; above 22.09 the law is C1"
     )
-    citation: ClassVar[str] = (
-        "@mastersthesis{shahin2021, author={Shahin, Muhammad B.}, title={Contact laws "
-        "for large deformation unconfined and confined compression of spherical "
-        "plastic particles with power-law hardening}, school={Purdue University}, "
-        "year={2021}}"
-    )
+    citation: ClassVar[str] = cite("shahin2021")
 
     def parameters(self, configuration: str = "simple") -> Parameters:
         """All numbers that the law derives from its material (2.14)-(2.47)."""

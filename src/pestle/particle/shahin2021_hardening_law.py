@@ -7,16 +7,8 @@ from typing import ClassVar, cast
 import numpy as np
 
 from pestle.errors import InputError
-from pestle.particle.law import (
-    Array,
-    Curve,
-    Loading,
-    Range,
-    choice,
-    parameter,
-    register,
-    warn_outside,
-)
+from pestle.laws._options import choice, parameter
+from pestle.particle.law import Array, Curve, Loading, Range, register, warn_outside
 from pestle.particle.shahin2021 import Shahin2021
 from pestle.particle.shahin2021_hardening import Reading, hardness, parameters
 from pestle.particle.shahin2021_radius import relative_radius
@@ -31,7 +23,7 @@ class Shahin2021Hardening(Loading):
 
     strength: float = parameter("strength kappa of sigma = kappa eps^h", "Pa")
     hardening_exponent: float = parameter(
-        "exponent h = 1/m; 0 is perfectly plastic", "1", 0.0, 1.0, closed=True
+        "exponent h = 1/m; 0 is perfectly plastic", "1", 0.0, 1.0, ends="[]"
     )
     reading: str = choice(
         "reading of Eqs. 3.48-3.56",

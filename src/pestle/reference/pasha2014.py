@@ -133,6 +133,21 @@ def simple_line(k: Simple, peak: float) -> Line:
     return line(peak, elastic, force, k.pull - k.cohesive * turn)
 
 
+def simple_bond(k: Simple, u: Line) -> float:
+    """Adhesive part of the stored energy, negative of what is stored at alpha_p [J].
+
+    At least W5, so that no contact wins by attaching again; and so much that the way
+    in, which is drawn by f_0 along the softer k_p, takes nothing from nowhere.
+    """
+    fresh = simple_line(k, 0.0)
+    first = 32.0 / 81.0 * fresh.pull_off * fresh.pull_off / fresh.stiffness
+    way = (0.5 * k.plastic * u.peak + k.first) * u.peak
+    lost = way + 0.5 * k.first * k.first / fresh.stiffness
+    lost -= 0.5 * u.force * u.force / u.stiffness
+    again = 32.0 / 81.0 * u.pull_off * u.pull_off / u.stiffness
+    return max(again, first - lost)
+
+
 def simple_peak(k: Simple, mass: float, velocity: float) -> float:
     """Largest overlap of an impact of the simplified version [m]."""
     energy = 0.5 * mass * velocity**2
