@@ -50,7 +50,7 @@ def make_move_chunk(law: Parts, layout: ct.Layout) -> Any:
         c: int, chunks: Any, offset: Any, buf: Any, pos: Any, vel: Any, mat: Any, field: Any,
         ref: Any, constants: Any, gravity: Any, box: Any, kick: float, dt_last: float, dt: float, ledger: Any,
     ) -> None:  # fmt: skip
-        kinetic = potential = fastest = furthest = 0.0
+        kinetic = moving = potential = fastest = furthest = 0.0
         held = spent = unpaid = debts = 0.0
         centre = dt_last / kick if kick > 0.0 else 0.0
         lost = 0.0
@@ -72,7 +72,7 @@ def make_move_chunk(law: Parts, layout: ct.Layout) -> Any:
             spin = w0 * w0 + w1 * w1 + w2 * w2
             gain = v0 * a0 + v1 * a1 + v2 * a2 - speed
             turn = w0 * b0 + w1 * b1 + w2 * b2 - spin
-            kinetic += 0.5 * m * (speed + centre * gain)
+            moving += 0.5 * m * (speed + centre * gain)
             kinetic += 0.5 * vel[i, 7] * (spin + centre * turn)
             potential -= m * (gx * pos[i, 0] + gy * pos[i, 1] + gz * pos[i, 2])
             vel[i, 0], vel[i, 1], vel[i, 2] = a0, a1, a2
@@ -109,7 +109,8 @@ def make_move_chunk(law: Parts, layout: ct.Layout) -> Any:
             furthest = max(furthest, far2)
             if not speed < 1e300:
                 lost = 1.0
-        ledger[10] = kinetic
+        ledger[10] = kinetic + moving
+        ledger[15] = moving
         ledger[11] = potential
         ledger[12] = fastest
         ledger[13] = furthest

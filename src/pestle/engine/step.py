@@ -45,10 +45,11 @@ CLOCK = 8
     HIGHEST_SPEED,
     MOST_STIFF,
     BOX_POWER,
-) = range(15)
+    MOVING,
+) = range(16)
 SUMS = 16
 # condition columns: kind, wall, value
-NEVER, FORCE_ABOVE, FORCE_BELOW, MOVED, UNTIL, AT_REST, BACK = range(7)
+NEVER, FORCE_ABOVE, FORCE_BELOW, MOVED, UNTIL, AT_REST, BACK, STILL = range(8)
 
 
 @cache
@@ -279,12 +280,14 @@ def compiled(
                 dt,
             )
             sums[KINETIC] = 0.0
+            sums[MOVING] = 0.0
             sums[GRAVITY] = 0.0
             fastest = 0.0
             moved = 0.0
             finite = True
             for c in range(number):
                 sums[KINETIC] += ledger[c, 10]
+                sums[MOVING] += ledger[c, 15]
                 sums[GRAVITY] += ledger[c, 11]
                 fastest = max(fastest, ledger[c, 12])
                 moved = max(moved, ledger[c, 13])
@@ -317,6 +320,7 @@ def compiled(
                     or (kind == BACK and move[w, 4] <= value)
                     or (kind == UNTIL and clock[TIME] >= value)
                     or (kind == AT_REST and sums[KINETIC] <= value)
+                    or (kind == STILL and sums[MOVING] <= value)
                 )
                 if hit and not met:
                     met = True

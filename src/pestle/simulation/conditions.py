@@ -21,6 +21,8 @@ def values(run: "Runner") -> list[float]:
             found.append(float(e.move[w, wl.DISPLACEMENT]))
         elif kind == st.UNTIL:
             found.append(e.time)
+        elif kind == st.STILL:
+            found.append(float(e.sums[st.MOVING]))
         else:
             found.append(float(e.sums[st.KINETIC]))
     return found
@@ -32,7 +34,7 @@ def fraction(run: "Runner") -> float:
     for (kind, _, goal), begun, now in zip(
         run.engine.condition, run.memory["from"], values(run), strict=True
     ):
-        if kind != st.AT_REST and goal != begun:
+        if kind not in (st.AT_REST, st.STILL) and goal != begun:
             most = max(most, (now - begun) / (goal - begun))
     phases = len(PHASES[run.case.process[run.stage].step])
     return float(min((run.phase + min(most, 1.0)) / phases, 1.0))
@@ -49,6 +51,7 @@ def reason(run: "Runner", index: int) -> str:
         st.BACK: f"{name} is back at a displacement of {value:.6g} m",
         st.UNTIL: f"time {value:.6g} s",
         st.AT_REST: "the powder is at rest",
+        st.STILL: "the powder is at rest",
     }[int(kind)]
 
 

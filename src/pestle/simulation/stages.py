@@ -72,12 +72,16 @@ def fill_fall(run: "Runner", step: Any) -> Conditions:
     return [until(run, min(fall, step.max_time))]
 
 
-def fill_settle(run: "Runner", step: Any, share: float = 1e-4) -> Conditions:
+def fill_settle(run: "Runner", step: Any) -> Conditions:
     """Wait until the kinetic energy is a share of a fall through one radius."""
+    return [(st.AT_REST, -1, little_energy(run)), until(run, step.max_time)]
+
+
+def little_energy(run: "Runner") -> float:
+    """Ten-thousandth of what all particles gain in a fall through one radius [J]."""
     engine = run.engine
     weight = float(engine.vel[:, 3].sum() * np.linalg.norm(engine.gravity))
-    rest = share * weight * float(engine.pos[:, 3].mean())
-    return [(st.AT_REST, -1, rest), until(run, step.max_time)]
+    return 1e-4 * weight * float(engine.pos[:, 3].mean())
 
 
 def fill_harden(run: "Runner", step: Any) -> Conditions:
@@ -115,15 +119,19 @@ def hold_go(run: "Runner", step: Any) -> Conditions:
     return [until(run, step.duration)]
 
 
-def servo(run: "Runner", wall: int, force: float, relax: float = 50.0) -> None:
+def servo(
+    run: "Runner", wall: int, force: float, relax: float = 50.0, fastest: float = 0.0
+) -> None:
     """Control a wall: it may move a hundredth of a mean radius in fifty steps.
 
-    It seeks the force within so many steps.
+    It seeks the force within `relax` steps; `fastest` is a speed [m/s] that it may have
+    at any rate.
     """
     engine = run.engine
     dt = float(engine.clock[st.DT])
     mean = float(engine.pos[:, 3].mean())
-    engine.hold_force(wall, force, 2e-4 * mean / dt, relax * dt)
+    top = max(2e-4 * mean / dt, fastest)
+    engine.hold_force(wall, force, top, relax * dt)
 
 
 def unload_go(run: "Runner", step: Any) -> Conditions:
@@ -268,9 +276,9 @@ def shear_approach(run: "Runner", step: Any) -> Conditions:
 
 def shear_load(run: "Runner", step: Any) -> Conditions:
     """Seek the normal stress with the head at rest, to 2 %."""
-    w = run.wall(step.wall)
-    force = step.stress * shear_head(run, step).area
-    servo(run, w, force, relax=10.0)  # a bed that is sheared shrinks and swells
+    w, head = run.wall(step.wall), shear_head(run, step)
+    force, rim = step.stress * head.area, step.angular_speed * head.radius
+    servo(run, w, force, relax=3.0, fastest=rim)  # sheared beds shrink and swell
     if push(run, w) < force:
         return [(st.FORCE_ABOVE, w, 0.98 * force)]
     return [(st.FORCE_BELOW, w, 1.02 * force)]
@@ -308,11 +316,11 @@ def lift_go(run: "Runner", step: Any) -> Conditions:
 def lift_settle(run: "Runner", step: Any) -> Conditions:
     """Take the die away and wait until the heap is at rest.
 
-    That is ten times the kinetic energy of settled powder: single spheres go on
-    spinning about a vertical axis, which no friction of a contact point brakes.
+    Spin does not count: single spheres go on turning about a vertical axis, which no
+    friction of a contact point brakes.
     """
     run.remove("die")
-    return fill_settle(run, step, 1e-3)
+    return [(st.STILL, -1, little_energy(run)), until(run, step.max_time)]
 
 
 PHASES: dict[str, tuple[Phase, ...]] = {
