@@ -124,14 +124,15 @@ def test_two_spheres_between_flats(tmp_path, law, changes, most):
 
 @pytest.mark.oracle
 @pytest.mark.usefixtures("lmp")
-def test_twelve_spheres_with_friction(tmp_path):
-    """Hertz-Mindlin, 6 flats that close in; singly they differ where grains slip."""
+@pytest.mark.parametrize(("restitution", "most"), [(0.9, 0.03), (0.3, 0.05)])
+def test_twelve_spheres_with_friction(tmp_path, restitution, most):
+    """Hertz-Mindlin, 6 flats that close in; the dashpots of sliding contacts differ."""
     case = Case.from_file(
         TRIAXIAL,
         {
             "law": "hertz",
             "contacts.sliding_friction": 0.3,
-            "contacts.restitution": 0.3,
+            "contacts.restitution": restitution,
             "process.move.at": "2 m/s",
             "process.move.to": "0.2 m",
             "engine.time_step": "2 us",
@@ -139,9 +140,9 @@ def test_twelve_spheres_with_friction(tmp_path):
         },
     )
     found = difference(*both(case, tmp_path), across(case))
-    print(f"mean {found.mean():.2g}, largest {found.max():.2g}")
+    print(f"e = {restitution}: mean {found.mean():.2g}, largest {found.max():.2g}")
     assert found.mean() < 0.01
-    assert found.max() < 0.05
+    assert found.max() < most
 
 
 @pytest.mark.oracle
