@@ -63,6 +63,24 @@ def test_what_cannot_be_known_is_said():
     assert "say little about a" in told
 
 
+def test_a_short_ridge_is_known_well():
+    """Tied to each other, but each narrow: more than a combination is known."""
+    ridge = sample(
+        TWO,
+        lambda u: (
+            -0.5
+            * (
+                ((u[:, 0] + u[:, 1] - 1.0) / 0.005) ** 2
+                + ((u[:, 0] - u[:, 1]) / 0.1) ** 2
+            )
+        ),
+        np.array([0.5, 0.5]),
+        seed=1,
+    )
+    (told,) = warnings(ridge)
+    assert told.startswith("A combination of a and b is known better")
+
+
 def test_a_normal_prior_on_a_log_scale_is_one_of_values():
     parameter = Parameter(
         low="1 MPa", high="100 MPa", scale="log", mean="20 MPa", deviation="3 MPa"

@@ -108,8 +108,11 @@ class SingleParticle:
                 for n in range(max(len(self.flats), 1))
             ]
         else:
-            at = {"radius": self.radius, "configuration": self.configuration}
-            every = [self.law.follow(paths, **at)]
+            every = [
+                self.law.follow(
+                    paths, radius=self.radius, configuration=self.configuration
+                )
+            ]
         first, *others = every
         return Trace(paths, *first, np.full_like(first.force, np.nan), tuple(others))
 

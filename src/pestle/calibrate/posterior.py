@@ -30,7 +30,9 @@ MOST = 40_000
 TOLD_NOTHING = 0.7
 """Width of posterior over prior from which on the data say little [-]."""
 TIED = 0.95
-"""Correlation from which on two parameters cannot be told apart [-]."""
+"""Correlation from which on two parameters are known together rather than each [-]."""
+LONG = 0.5
+"""Width over the prior's from which on such parameters cannot be told apart [-]."""
 
 
 def require() -> None:
@@ -195,10 +197,15 @@ def warnings(found: Posterior) -> list[str]:
     for i, first in enumerate(found.names):
         for j, second in enumerate(found.names[:i]):
             r = float(found.correlation[i, j])
-            if abs(r) > TIED:
+            if abs(r) > TIED and max(found.narrowing[i], found.narrowing[j]) > LONG:
                 told.append(
                     f"{second} and {first} cannot be told apart by these data "
                     f"(correlation {r:+.2f}): {advice(first, second)}."
+                )
+            elif abs(r) > TIED:
+                told.append(
+                    f"A combination of {second} and {first} is known better than each "
+                    f"of them (correlation {r:+.2f})."
                 )
     low, high = np.quantile(found.shares, [0.025, 0.975], axis=0)
     for name, a, b in zip(found.names, low, high, strict=True):
