@@ -43,6 +43,7 @@ class Measured:
     label: str
     value: float
     deviation: float
+    unit: str = "1"
     metric: str = ""
     curve: str = ""
     density: float = 0.0
@@ -81,7 +82,8 @@ def _numbers(settings: "CalibrationSettings", target: "Target") -> list[Measured
     if target.metric is not None:
         unit = unit_of(target.value)
         value, sigma = number(target.value, unit), number(target.deviation, unit)
-        return [Measured(target.metric, value, sigma, metric=target.metric)]
+        name = target.metric
+        return [Measured(name, value, sigma, unit, metric=name)]
     assert target.curve is not None
     assert target.file is not None
     unit = CURVES[target.curve]
@@ -96,6 +98,7 @@ def _numbers(settings: "CalibrationSettings", target: "Target") -> list[Measured
             f"{target.curve} at density {d:.3f}",
             float(np.interp(d, x, y)),
             sigma,
+            unit,
             curve=target.curve,
             density=float(d),
         )

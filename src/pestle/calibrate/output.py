@@ -127,6 +127,7 @@ def of_bulk(result: "BulkResult") -> dict[str, Any]:
                 "label": m.label,
                 "measured": m.value,
                 "deviation": m.deviation,
+                "unit": m.unit,
                 "predicted": float(result.predicted[k]),
                 "surrogate_deviation": float(result.error[k]),
                 "left_out_error": float(result.cross_validation[k]),
@@ -159,6 +160,13 @@ def save(
     return paths
 
 
+def shown(value: float, unit: str, digits: int = 4) -> str:
+    """Text of a quantity in a unit that suits its size."""
+    from pestle.report.numbers import quantity
+
+    return " ".join(quantity(value, "-" if unit == "1" else unit, digits)).strip()
+
+
 def page(
     settings: "CalibrationSettings",
     numbers: dict[str, Any],
@@ -176,6 +184,7 @@ def page(
         trim_blocks=True,
         lstrip_blocks=True,
     )
+    environment.filters["shown"] = shown
     css = (files("pestle.report") / "templates" / "report.css").read_text("utf-8")
     template = environment.get_template("calibration.html.j2")
     return template.render(

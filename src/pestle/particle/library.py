@@ -81,7 +81,7 @@ def build(name: str, parameters: Mapping[str, Any]) -> WholeLaw:
         raise InputError(
             "missing-law-parameter",
             f"{name} needs {', '.join(missing)}",
-            hint="pestle bench LAW --help says what they mean",
+            hint="give them with --set; pestle bench LAW --help says what they mean",
         )
     first, second = find(name)
     loading = _make(first, parameters)
