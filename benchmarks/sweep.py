@@ -1,6 +1,6 @@
 """How busy a study keeps the cores of this machine.
 
-python benchmarks/sweep.py [--runs 40] [--workers 2] [--particles 500] [--out DIR]
+python benchmarks/sweep.py [--runs 40] [--workers 2] [--particles 1400] [--out DIR]
 
 Runs `pestle sweep` on a study of small tablets, each some tens of seconds long, and
 reads the processor time of every core between the first run's start and the moment when
@@ -18,7 +18,7 @@ import psutil
 
 CASE = Path(__file__).parent.parent / "examples" / "small_tablet.toml"
 STUDY = """case = "{case}"
-set = {{ particles.count = {particles}, die.height = "10 mm" }}
+set = {{ particles.count = {particles}, die.height = "{height} mm" }}
 replicates = {replicates}
 
 [vary]
@@ -32,14 +32,19 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--runs", type=int, default=40, help="a multiple of 8")
     parser.add_argument("--workers", type=int, default=2)
-    parser.add_argument("--particles", type=int, default=500)
+    parser.add_argument("--particles", type=int, default=1400)
     parser.add_argument("--out", type=Path)
     options = parser.parse_args()
     out = options.out or Path(tempfile.mkdtemp(prefix="pestle-sweep-"))
     out.mkdir(parents=True, exist_ok=True)
     replicates = options.runs // 8
     (out / "study.toml").write_text(
-        STUDY.format(case=CASE, particles=options.particles, replicates=replicates)
+        STUDY.format(
+            case=CASE,
+            particles=options.particles,
+            height=options.particles / 50,
+            replicates=replicates,
+        )
     )
     command = [sys.executable, "-m", "pestle", "sweep", str(out / "study.toml")]
     command += ["--out", str(out / "study"), "--workers", str(options.workers)]
