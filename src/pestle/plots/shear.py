@@ -38,7 +38,7 @@ def shear_cell(curves: list[ShearCurve]) -> "Figure | None":
         along.set_xlabel("angle turned [deg]")
         along.set_ylabel(f"shear stress [{name}]")
         along.set_ylim(bottom=0.0)
-        along.legend(fontsize=7)
+        along.legend(fontsize=7, loc="lower right", ncols=2)
         _locus(locus, shear_test(curves), unit)
         locus.set_xlabel(f"normal stress [{name}]")
         locus.set_ylabel(f"shear stress [{name}]")
