@@ -4,7 +4,7 @@ import pytest
 
 from broken_cases import CASE
 from pestle.config import Case
-from pestle.errors import InputError
+from pestle.errors import EnergyWarning, InputError
 
 MOVE = """
 [[process]]
@@ -33,7 +33,8 @@ def test_the_last_key_is_enough(read):
 
 
 def test_a_key_that_the_file_does_not_have(read):
-    case = read("turn_at=0.5 mm", "radius_rule=eq37")
+    with pytest.warns(EnergyWarning):
+        case = read("turn_at=0.5 mm", "radius_rule=eq37")
     assert case.process[-1].turn_at == 0.0005
     assert case.law.options["radius_rule"] == "eq37"
 

@@ -210,6 +210,7 @@ def test_walls_that_turn_are_named():
         assert any(word in text for text in texts), word
 
 
+@pytest.mark.filterwarnings("ignore::pestle.errors.EnergyWarning")  # eq37
 @pytest.mark.parametrize(
     ("changes", "word"),
     [

@@ -5,6 +5,7 @@ from math import log2
 import numpy as np
 import pytest
 
+from pestle.errors import EnergyWarning
 from pestle.laws import Geometry, Pair, Solid, Zunker2024, parts_of
 from pestle.particle import Particle, ParticleMaterial, follow
 
@@ -58,3 +59,8 @@ def test_is_of_first_order(corners, adhesion, hardening):
     )
     assert fine < 12 * 1e-4 * np.max(want)
     assert log2(coarse / fine) / 2 == pytest.approx(1.0, abs=0.15)
+
+
+def test_the_printed_rule_warns():
+    with pytest.warns(EnergyWarning, match="eq37"):
+        Zunker2024(radius_rule="eq37")

@@ -11,11 +11,13 @@ References: W. Zunker, K. Kamrin, J. Mech. Phys. Solids 183 (2024) 105492 (Part 
 The reading notes in the documentation say where we depart from print and why.
 """
 
+import warnings
 from dataclasses import dataclass
 from math import inf, pi
 from typing import ClassVar
 
 from pestle.citations import cite
+from pestle.errors import EnergyWarning
 from pestle.laws._base import Geometry, Pair, Solid, register
 from pestle.laws._mdr_indenter import hardening
 from pestle.laws._mdr_pair import Constants, State, contact, wall
@@ -58,6 +60,15 @@ class Zunker2024(PairLaw):
         "yielding needs 2 a_c >= 15 r_Ip, (F.7): see pestle.reference.validity"
     )
     citation: ClassVar[str] = cite("zunker2024", "zunker2024b")
+
+    def _check(self) -> None:
+        if self.radius_rule == "eq37":
+            warnings.warn(
+                "radius_rule = eq37: the particle grows in elastic cycles too and may "
+                "create energy; use plastic",
+                EnergyWarning,
+                stacklevel=2,
+            )
 
     def constants(self, pair: Pair) -> Constants:
         """Reduce two materials to the constants of their two sides."""
