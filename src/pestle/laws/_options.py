@@ -54,10 +54,11 @@ class Checked:
 
     __slots__ = ()
     name: ClassVar[str]
+    __dataclass_fields__: ClassVar[dict[str, dataclasses.Field[Any]]]
 
     def __post_init__(self) -> None:
         """Refuse what is not possible."""
-        for entry in dataclasses.fields(self):  # type: ignore[arg-type]
+        for entry in dataclasses.fields(self):
             value = getattr(self, entry.name)
             if "choices" in entry.metadata:
                 _check_choice(self.name, entry, value)
