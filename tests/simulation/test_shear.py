@@ -123,7 +123,9 @@ def cell(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def wide(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("wide")
     (folder / "case.toml").write_text(WIDE, encoding="utf-8")
-    simulation.run(Case.from_file(folder / "case.toml"), folder / "run")
+    case = Case.from_file(folder / "case.toml")
+    ended = simulation.run(case, folder / "run").stop_reason
+    assert ended == StopReason.FINISHED
     return folder / "run"
 
 
@@ -172,10 +174,12 @@ def test_the_work_of_the_head_is_torque_times_angle(cell: Path) -> None:
 
 def test_the_powder_lies_above_the_base(cell: Path) -> None:
     with RunFolder(cell) as folder:
+        numbers = {m.key: m.value for m in summarise(folder).metrics}
         last = folder.results[len(folder.results) - 1].particles
     assert (last["position"][:, 2] - last["radius"]).min() > 0.45e-3
     mass = 2500.0 * np.sum(4.0 / 3.0 * np.pi * last["radius_initial"] ** 3)
     assert mass == pytest.approx(0.35e-3, rel=0.01)
+    assert numbers["ledger_residual"] < 0.005
 
 
 def test_the_powder_shears_like_spheres(wide: Path) -> None:
