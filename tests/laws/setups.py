@@ -21,6 +21,7 @@ LAWS = {
     "nan2022": Nan2022(),
     "nan2022 tn64": Nan2022(pull_off="tn64", plastic_ratio=0.5),
     "nan2022 energy67": Nan2022(pull_off="energy67", plastic_ratio=0.6),
+    "nan2022 elastic": Nan2022(yields=False),
     "nan2022 remembers": Nan2022(alpha_forget=-2e-6),
     "thornton_ning1998": ThorntonNing1998(),
     "thornton_ning1998 exact": ThorntonNing1998(variant="exact"),

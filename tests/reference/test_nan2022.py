@@ -1,5 +1,6 @@
 """Nan 2022: Table 6, impact exact against time stepping, numbers of the notes."""
 
+from dataclasses import replace
 from math import pi
 
 import pytest
@@ -88,6 +89,30 @@ def test_parting_work_is_the_quadrature_of_the_line():
     assert area(u.rest, peak) == pytest.approx(w.W4, rel=1e-6)
     assert area(u.touch, u.rest) == pytest.approx(-w.W5, rel=1e-6)
     assert area(u.leave, u.touch) == pytest.approx(-w.W6, rel=1e-6)
+
+
+def test_without_yield_the_line_goes_on():
+    """The same k_el and pull-off, ten yield overlaps deep and back."""
+    pair = Pair(
+        first=replace(PARTICLE, yield_stress=10e6),
+        second=WALL,
+        work_of_adhesion=0.24,
+    )
+    radius = 2.45e-6
+    plastic, elastic = (Nan2022(yields=y).constants(pair) for y in (True, False))
+    c = nan2022.parameters(plastic, radius)
+    s = nan2022.State(0.0, 0.0)
+    down = [c.yield_overlap * n / 20 for n in range(201)]
+    for overlap in (*down, *reversed(down)):
+        g = Geometry(overlap, radius, radius, 0.0, 1.0, 0.0)
+        r, s = nan2022.contact(elastic, g, s)
+        line = c.elastic * (overlap - c.rest)
+        assert r.force == pytest.approx(line, rel=1e-12, abs=1e-12 * c.pull_off)
+        assert s.peak == 0.0
+    parting = theory.unloading(c, 0.0).leave
+    g = Geometry(1.001 * parting, radius, radius, 0.0, 1.0, 0.0)
+    assert nan2022.reach(elastic, g) == pytest.approx(-parting)
+    assert nan2022.contact(elastic, g, s)[1].attached == 0.0
 
 
 def step_through(law, pair, radius, m, speed, gamma, parts):

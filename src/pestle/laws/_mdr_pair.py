@@ -4,57 +4,16 @@ The flat is placed so that both sides carry the same force; its place is state, 
 the ratio of the sides' stiffnesses.  [Dn] are decisions of the reading notes.
 """
 
-from typing import NamedTuple
-
 from pestle.laws._base import Geometry, Response
 from pestle.laws._mdr_particle import Particle, Sums, sums
-from pestle.laws._mdr_side import Side, SideConstants, side
-
-
-class Constants(NamedTuple):
-    """Each side against the flat (suffix i, j); the second side of a wall is unused."""
-
-    modulus_i: float  # E_c [Pa]: composite with an elastic wall
-    modulus_j: float
-    yield_i: float  # Y [Pa]
-    yield_j: float
-    poisson_i: float  # nu [-]
-    poisson_j: float
-    shear_i: float  # G [Pa]
-    shear_j: float
-    bulk_i: float  # kappa [Pa]
-    bulk_j: float
-    onset_i: float  # delta_Y / R, the root of (41) [-]
-    onset_j: float
-    adhesion: float  # work of adhesion of the pair [J/m^2]
-    rise: float  # a of (16) [-]
-    fall: float  # b of (16) [-]
-    always: float  # radius rule: 0 plastic, 1 eq37
-
-
-class State(NamedTuple):
-    """What a pair remembers; all zero before the first touch."""
-
-    share: float  # part of the approach that moves the flat into side i, loading [-]
-    share_back: float  # the same, unloading [-]
-    flat_i: float  # displacement of the flat against the initial sphere, delta_o [m]
-    flat_j: float
-    peak_i: float  # delta_max while below it, -1 while at it [m]
-    peak_j: float
-    offset_i: float  # c_A of a yielded side, 0 before [m^2]
-    offset_j: float
-    radius_i: float  # adhered contact radius [m]
-    radius_j: float
-
-
-def _first(k: Constants, w: float) -> SideConstants:
-    one = k.modulus_i, k.yield_i, k.poisson_i, k.shear_i, k.bulk_i, k.onset_i
-    return SideConstants(*one, w, k.rise, k.fall, k.always)
-
-
-def _second(k: Constants, w: float) -> SideConstants:
-    two = k.modulus_j, k.yield_j, k.poisson_j, k.shear_j, k.bulk_j, k.onset_j
-    return SideConstants(*two, w, k.rise, k.fall, k.always)
+from pestle.laws._mdr_quantities import (
+    Constants,
+    Side,
+    State,
+    first_side,
+    second_side,
+)
+from pestle.laws._mdr_side import side
 
 
 def _untouched(a: Side) -> bool:
@@ -67,7 +26,7 @@ def contact(
     """Both sides of a pair against the flat between them."""
     # each side bears W R*/R_i, so that both let go at the pair's 1.5 pi W R*
     w = max(k.adhesion, 0.0) * g.radius
-    ki, kj = _first(k, w / g.radius_i), _second(k, w / g.radius_j)
+    ki, kj = first_side(k, w / g.radius_i), second_side(k, w / g.radius_j)
     grown_i = g.radius_i - pi_.initial_radius
     grown_j = g.radius_j - pj.initial_radius
     fresh = s.share == 0.0
@@ -154,7 +113,7 @@ def wall(
     k: Constants, g: Geometry, s: State, p: Particle
 ) -> tuple[Response, State, Sums]:
     """One particle against a wall: rigid, or elastic through E_c."""
-    ki = _first(k, max(k.adhesion, 0.0))
+    ki = first_side(k, max(k.adhesion, 0.0))
     grown = g.radius_i - p.initial_radius
     old = -grown if s.share == 0.0 else s.flat_i
     flat = g.overlap - grown

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from pestle.laws._base import Geometry
 
 if TYPE_CHECKING:
-    from pestle.laws._mdr_side import Side, SideConstants
+    from pestle.laws._mdr_quantities import Side, SideConstants
 
 
 class Particle(NamedTuple):

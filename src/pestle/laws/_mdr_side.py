@@ -5,45 +5,10 @@ reading notes.
 """
 
 from math import pi, sqrt
-from typing import NamedTuple
 
 from pestle.laws._mdr_indenter import decay, indented, indented_work, peel
 from pestle.laws._mdr_particle import Particle
-
-
-class SideConstants(NamedTuple):
-    """Material of one side."""
-
-    modulus: float  # E_c [Pa]
-    yield_stress: float  # Y [Pa]
-    poisson: float  # nu [-]
-    shear: float  # G [Pa]
-    bulk: float  # kappa [Pa]
-    onset: float  # delta_Y / R [-]
-    adhesion: float  # work of adhesion borne by this side [J/m^2]
-    rise: float  # a of (16) [-]
-    fall: float  # b of (16) [-]
-    always: float  # 1: R grows by (37) in every step, as printed
-
-
-class Side(NamedTuple):
-    """Response and new state of one side."""
-
-    force: float  # [N]
-    radius: float  # contact radius a [m]
-    stiffness: float  # dF/d delta on the elastic branch, bulk included [N/m]
-    slope: float  # dF/d delta while loading, bulk included [N/m]
-    elastic: float  # elastic depth of the indenter, A/2 [m]
-    stored: float  # energy of the indenter [J]
-    sinking: float  # work of the indenter on the sinking surface [J]
-    peak: float  # delta_max below the maximum, -1 at it [m]
-    offset: float  # c_A, 0 before yield [m^2]
-    push: float  # force of the bulk response [N]
-    cut: float  # area that the flat cuts from the sphere [m^2]
-    area: float  # A_C [m^2]
-    depth: float  # delta_max [m]
-    at_peak: float  # 1 at the maximum
-    parted: float  # 1 if adhesion has just let go
+from pestle.laws._mdr_quantities import Side, SideConstants
 
 
 def side(
@@ -69,7 +34,7 @@ def side(
     flat, flat_old : float
         Displacement delta_o of the flat now and before [m].
     peak, offset, adhered : float
-        State of the side, see `_mdr_pair.State`.
+        State of the side, see `_mdr_quantities.State`.
     """
     grown = radius - particle.initial_radius
     curvature = 1.0 / radius

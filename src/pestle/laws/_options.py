@@ -49,6 +49,11 @@ def choice(text: str, options: tuple[str, ...], *, default: str) -> Any:
     return field(default=default, metadata={"help": text, "choices": options})
 
 
+def flag(text: str, *, default: bool) -> Any:
+    """Field that is true or false."""
+    return field(default=default, metadata={"help": text})
+
+
 class Checked:
     """A dataclass that refuses options outside what their fields allow."""
 

@@ -63,12 +63,7 @@ class EEPA2014(PairLaw):
         "lambda_p = 1 - k_1/k_2; 0 is elastic", "1", 0.0, 1.0, "[)", default=0.5
     )
     tensile_exponent: float = parameter(
-        "chi of the adhesive branch, a multiple of 0.5",
-        "1",
-        1.0,
-        7.5,
-        "[]",
-        default=1.5,
+        "chi, a multiple of 0.5", "1", 1.0, 7.5, "[]", default=1.5
     )
     touch_force: float = parameter(
         "f_0, constant attraction in contact", "N", ends="[)", default=0.0
@@ -114,9 +109,11 @@ def power(k: Constants, q: float) -> float:
 
 def contact(k: Constants, g: Geometry, s: State) -> tuple[Response, State]:
     """Force, contact radius, stiffness and energy at an overlap."""
+    if g.overlap <= 0.0:
+        return Response(0.0, 0.0, 0.0, 0.0, 1.0), State(0.0, 0.0, 0.0)
     hertz = k.linear == 0.0
     n = 1.5 if hertz else 1.0
-    d = max(g.overlap, 0.0)
+    d = g.overlap
     k1 = 4.0 / 3.0 * k.modulus * sqrt(g.radius) if hertz else k.linear
     k2 = k1 / (1.0 - k.plasticity)
     x = d * sqrt(d) if hertz else d
@@ -143,18 +140,10 @@ def contact(k: Constants, g: Geometry, s: State) -> tuple[Response, State]:
     raised = k2 * ((x * d - level * turn) / (n + 1.0) - opens * (d - turn))
     stored = raised - tension * turn / (k.exponent + 1.0) - k.touch * d
     steep = n * (k1 if loads else k2) * (sqrt(d) if hertz else 1.0)
-    slope = k.exponent * tension / (d + 1e-300) if pulls else steep
-    on = g.overlap > 0.0
-    slope = slope if on else 0.0
+    slope = k.exponent * tension / d if pulls else steep
     return (
-        Response(
-            force if on else 0.0,
-            0.5 * slope / k.modulus,
-            slope,
-            stored if on else 0.0,
-            1.0,
-        ),
-        State(opens if on else 0.0, turn if on else 0.0, tension if on else 0.0),
+        Response(force, 0.5 * slope / k.modulus, slope, stored, 1.0),
+        State(opens, turn, tension),
     )
 
 

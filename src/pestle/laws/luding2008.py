@@ -14,14 +14,14 @@ Reference: S. Luding, Granul. Matter 10 (2008) 235-246.
 """
 
 import warnings
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from math import sqrt
 from typing import ClassVar, NamedTuple
 
 from pestle.citations import cite
 from pestle.errors import EnergyWarning, InputError
 from pestle.laws._base import Geometry, Pair, Response, register
-from pestle.laws._options import PairLaw, parameter
+from pestle.laws._options import PairLaw, flag, parameter
 
 
 class Constants(NamedTuple):
@@ -56,9 +56,8 @@ class Luding2008(PairLaw):
         ends="[)",
         default=0.0,
     )
-    hold_stiffness: bool = field(
-        default=True,
-        metadata={"help": "a contact never loses k_2; else k_2 follows delta_max"},
+    hold_stiffness: bool = flag(
+        "a contact never loses k_2; else k_2 follows delta_max", default=True
     )
 
     name: ClassVar[str] = "luding2008"

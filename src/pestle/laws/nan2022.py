@@ -15,12 +15,11 @@ attaches again at alpha_c0.  All parameters follow from the material:
     (\tfrac{\alpha_p}{\alpha_0}A+1)} - A\Big) \;(59), \quad
     A = \frac{96}{56\,k_e/k_c+17} \;(56)
 
-The closed forms are those of `pestle.reference.nan2022`.  Damping (24)-(26): the
-engine's 2 gamma sqrt(m* k_n), times `damping_after_yield` once the contact has yielded.
-Friction (21)-(23): a = k_n/(2 E*) makes the engine's spring k_t = 4 G*/E* k_n; it is
-incremental, limited by mu |f|.  The reading notes (docs/papers/nan2022) say where we
-depart from print.  Valid for a cohesion-yield number above 0.00115:
-below, (36) has no answer and k_e/k_c is held at 0.01.
+The closed forms are those of `pestle.reference.nan2022`; docs/papers/nan2022 says where
+we depart from print.  Damping (24)-(26): the engine's 2 gamma sqrt(m* k_n), times beta
+after yield.  Friction (21)-(23): a = k_n/(2 E*) makes the engine's spring k_t = 4 G*/E*
+k_n, limited by mu |f|.  Valid for a cohesion-yield number above 0.00115: below, (36)
+has no answer and k_e/k_c is held at 0.01.
 
 Reference: W. Nan, W. P. Goh, M. T. Rahman, Powder Technol. 406 (2022) 117634.
 """
@@ -32,14 +31,14 @@ from typing import ClassVar, NamedTuple
 
 from pestle.citations import cite
 from pestle.errors import EnergyWarning
-from pestle.laws._base import Geometry, Pair, Response, Solid, register
-from pestle.laws._options import PairLaw, choice, parameter
-from pestle.reference import nan2022 as theory
-from pestle.reference.nan2022 import Contact, respond, stiffness_ratio
+from pestle.laws._base import Geometry, Pair, Response, register
+from pestle.laws._options import PairLaw, choice, flag, parameter
+from pestle.reference.nan2022 import RULES, Contact, respond, stiffness_ratio, unloading
 from pestle.reference.nan2022 import contact as complete
 from pestle.reference.nan2022_energy import yield_pressure, yield_pressure_chang
 
 LEAST_RATIO = 0.01  # of k_e/k_c, where (36) gives less or a negative number [-]
+NEVER = 1e6  # times p_y, the pressure of a contact that does not yield [-]
 PRESSURES = {"jackson_green": yield_pressure, "chang": yield_pressure_chang}
 
 
@@ -67,30 +66,18 @@ class State(NamedTuple):
 class Nan2022(PairLaw):
     """Linear elastic-plastic adhesive contacts with parameters from the material."""
 
-    pull_off: str = choice(
-        'rule of the pull-off force; "pasha61" creates energy',
-        theory.RULES,
-        default="nan59",
-    )
+    pull_off: str = choice("rule of the pull-off force", RULES, default="nan59")
     pressure_rule: str = choice(
-        "p_y from the yield stress, (32) or (33)",
-        tuple(PRESSURES),
-        default="jackson_green",
+        "p_y from Y, (32) or (33)", tuple(PRESSURES), default="jackson_green"
     )
+    yields: bool = flag("false: elastic at any force, with the same k_el", default=True)
     elastic_ratio: float = parameter("k_el over pi R* p_y; 1 is (52)", default=1.0)
     plastic_ratio: float = parameter("k_p over k_el", "1", 0.0, 1.0, "(]", default=1.0)
     damping_after_yield: float = parameter(
-        "beta of (26), factor on the damping of yielded contacts",
-        ends="[)",
-        default=0.1,
+        "beta of (26), on the damping of yielded contacts", ends="[)", default=0.1
     )
     alpha_forget: float = parameter(
-        "overlap, 0 or negative, below which a parted contact is as new",
-        "m",
-        -inf,
-        0.0,
-        "(]",
-        default=0.0,
+        "below it a parted contact is as new", "m", -inf, 0.0, "(]", default=0.0
     )
 
     name: ClassVar[str] = "nan2022"
@@ -104,44 +91,33 @@ class Nan2022(PairLaw):
 
     def _check(self) -> None:
         if self.pull_off == "pasha61":
-            warnings.warn(
-                "pull_off = pasha61: a slightly yielded contact loses its adhesion and "
-                "creates energy; use nan59",
-                EnergyWarning,
-                stacklevel=2,
-            )
+            what = "pull_off = pasha61: a slightly yielded contact loses its adhesion "
+            what += "and creates energy; use nan59"
+            warnings.warn(what, EnergyWarning, stacklevel=2)
 
     def constants(self, pair: Pair) -> Constants:
         """Reduce a pair of materials to the constants of its contacts."""
+        rule = PRESSURES[self.pressure_rule]
+        sides = pair.first, pair.second
+        raised = 1.0 if self.yields else NEVER
         return Constants(
             pair.modulus,
             pair.work_of_adhesion,
-            min(self._pressure(side) for side in (pair.first, pair.second)),
-            self.elastic_ratio,
+            raised * min(rule(s.yield_stress, s.poisson_ratio) for s in sides),
+            self.elastic_ratio / raised,
             self.plastic_ratio,
-            float(theory.RULES.index(self.pull_off)),
+            float(RULES.index(self.pull_off)),
             self.damping_after_yield,
             self.alpha_forget,
         )
-
-    def _pressure(self, solid: Solid) -> float:
-        return PRESSURES[self.pressure_rule](solid.yield_stress, solid.poisson_ratio)
 
 
 def parameters(k: Constants, radius: float) -> Contact:
     """Complete contact of a reduced radius [m]."""
     elastic = k.elastic * pi * radius * k.pressure
     ratio = stiffness_ratio(k.modulus, radius, k.adhesion, elastic)
-    return complete(
-        k.modulus,
-        radius,
-        k.adhesion,
-        k.pressure,
-        elastic,
-        k.plastic * elastic,
-        max(ratio, LEAST_RATIO),
-        k.rule,
-    )
+    stiff = elastic, k.plastic * elastic, max(ratio, LEAST_RATIO)
+    return complete(k.modulus, radius, k.adhesion, k.pressure, *stiff, k.rule)
 
 
 def contact(k: Constants, g: Geometry, s: State) -> tuple[Response, State]:
@@ -166,7 +142,7 @@ def reach(k: Constants, g: Geometry) -> float:
             f"{LEAST_RATIO}",
             stacklevel=2,
         )
-    leave = [theory.unloading(c, c.yield_overlap * 1.01**n).leave for n in range(500)]
+    leave = [unloading(c, c.yield_overlap * 1.01**n).leave for n in range(500)]
     return max(-min(leave), -k.forget, 0.0)
 
 

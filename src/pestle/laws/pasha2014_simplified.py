@@ -5,9 +5,9 @@ r"""Pasha et al. (2014), simplified: plastic from the first touch, adhesive, lin
     f_{cp} = f_{0p} - k_{cp}\alpha_{cp}, \quad
     k_e = k_p + \frac{2R^*\alpha_{max}-\alpha_{max}^2}{R^{*2}}(\hat k-k_p)
 
-k_e is constant or grows as the last formula says, up to k^ at alpha_max = R*.  Tension
-falls along -k_e beyond f_cp and ends at 5/9 of it.  A parted contact attaches again at
-8/9 f_cp and is as new below zero overlap; the paper is silent on both.
+k_e is constant or grows as said, up to k^ at alpha_max = R*.  Tension falls along -k_e
+beyond f_cp and ends at 5/9 of it.  A parted contact attaches again at 8/9 f_cp and is
+as new below zero overlap; the paper is silent on both.
 
 A contact that is drawn together by f_0 along k_p and pulled off along the steeper k_e
 can give more than it takes; such parameters are taken with a warning.  The printed set
@@ -25,7 +25,7 @@ from pestle.citations import cite
 from pestle.errors import EnergyWarning, InputError
 from pestle.laws._base import Geometry, Pair, Response, register
 from pestle.laws._options import PairLaw, parameter
-from pestle.reference.pasha2014 import PARTING, Simple, simple_bond, simple_line
+from pestle.reference.pasha2014 import Simple, simple_bond, simple_gains, simple_line
 
 
 class Constants(NamedTuple):
@@ -61,13 +61,9 @@ class Pasha2014Simplified(PairLaw):
     pull_off_force: float = parameter(
         "-f_0p, least pull-off force", "N", ends="[)", default=0.0
     )
-    elastic_stiffness: float | None = parameter(
-        "constant k_e of unloading", "N/m", default=None
-    )
+    elastic_stiffness: float | None = parameter("constant k_e", "N/m", default=None)
     stiffest: float | None = parameter(
-        "k^, at an overlap of R*, of a k_e that grows with the largest overlap",
-        "N/m",
-        default=None,
+        "k^, at an overlap of R*, of a growing k_e", "N/m", default=None
     )
 
     name: ClassVar[str] = "pasha2014_simplified"
@@ -80,11 +76,8 @@ class Pasha2014Simplified(PairLaw):
         kp = self.plastic_stiffness
         stiff = self.elastic_stiffness or self.stiffest
         if stiff is None or None not in (self.elastic_stiffness, self.stiffest):
-            raise InputError(
-                "one-stiffness",
-                "give elastic_stiffness or stiffest, one of them",
-                "law.elastic_stiffness",
-            )
+            what = "give elastic_stiffness or stiffest, one of them"
+            raise InputError("one-stiffness", what, "law.elastic_stiffness")
         if not stiff > kp:
             raise InputError(
                 "soft-unloading",
@@ -92,28 +85,14 @@ class Pasha2014Simplified(PairLaw):
                 "law.plastic_stiffness",
                 "a contact that unloads softer than it loads creates energy",
             )
-        if not self.pull_off_force >= self.touch_force:
-            raise InputError(
-                "bad-pull-off",
-                f"pull_off_force {self.pull_off_force:g} N is below "
-                f"touch_force {self.touch_force:g} N",
-                "law.pull_off_force",
-            )
-        if self._gains():
-            warnings.warn(
-                "touch_force is large for the stiffnesses: contacts drawn together and "
-                "pulled off slowly may create energy",
-                EnergyWarning,
-                stacklevel=2,
-            )
-
-    def _gains(self) -> bool:
-        """Whether jumping in gives more than parting from f = 0 takes."""
-        k = Simple(*self._numbers(), 1.0)
-        if self.touch_force == 0.0 or k.elastic == 0.0:
-            return False
-        u = simple_line(k, -k.first / k.plastic)
-        return simple_bond(k, u) > PARTING * u.pull_off**2 / k.elastic
+        pull, touch = self.pull_off_force, self.touch_force
+        if not pull >= touch:
+            what = f"pull_off_force {pull:g} N is below touch_force {touch:g} N"
+            raise InputError("bad-pull-off", what, "law.pull_off_force")
+        if simple_gains(Simple(*self._numbers(), 1.0)):
+            what = "touch_force is large for the stiffnesses: contacts drawn together "
+            what += "and pulled off slowly may create energy"
+            warnings.warn(what, EnergyWarning, stacklevel=2)
 
     def _numbers(self) -> tuple[float, float, float, float, float, float]:
         return (
@@ -130,16 +109,22 @@ class Pasha2014Simplified(PairLaw):
         return Constants(*self._numbers(), pair.modulus)
 
 
+def constants_of(k: Constants, radius: float) -> Simple:
+    """Constants of a contact of a reduced radius [m]."""
+    return Simple(k.plastic, k.cohesive, k.first, k.pull, k.elastic, k.stiffest, radius)
+
+
 def contact(k: Constants, g: Geometry, s: State) -> tuple[Response, State]:
     """Force, stiffness, stored energy and new state at an overlap."""
-    simple = Simple(
-        k.plastic, k.cohesive, k.first, k.pull, k.elastic, k.stiffest, g.radius
-    )
+    simple = constants_of(k, g.radius)
     loads = g.overlap >= s.peak
     peak = max(s.peak, g.overlap, 0.0)
     u = simple_line(simple, peak)
     touch = u.rest + 8.0 / 9.0 * u.pull_off / u.stiffness if s.peak > 0.0 else 0.0
     on = g.overlap >= (u.leave if s.attached > 0.0 else touch)
+    if not on:
+        kept = peak if g.overlap >= 0.0 else 0.0
+        return Response(0.0, 0.0, 0.0, 0.0, 1.0), State(kept, 0.0)
     pulls = g.overlap <= u.turn
     back = u.stiffness * (g.overlap - u.rest)
     force = u.pull_off - u.stiffness * (g.overlap - u.turn) if pulls else back
@@ -147,24 +132,16 @@ def contact(k: Constants, g: Geometry, s: State) -> tuple[Response, State]:
     turned = 0.5 * u.pull_off * u.pull_off / u.stiffness
     fell = 0.5 * (u.turn - g.overlap) * (force + u.pull_off)
     elastic = turned - fell if pulls else 0.5 * force * force / u.stiffness
-    slope = (k.plastic if loads else u.stiffness) if on else 0.0
+    slope = k.plastic if loads else u.stiffness
     return (
-        Response(
-            force if on else 0.0,
-            0.5 * slope / k.modulus,
-            slope,
-            elastic - paid if on else 0.0,
-            1.0,
-        ),
-        State(peak if on or g.overlap >= 0.0 else 0.0, 1.0 if on else 0.0),
+        Response(force, 0.5 * slope / k.modulus, slope, elastic - paid, 1.0),
+        State(peak, 1.0),
     )
 
 
 def reach(k: Constants, g: Geometry) -> float:
     """Negative overlap at which a barely loaded contact parts, the farthest [m]."""
-    simple = Simple(
-        k.plastic, k.cohesive, k.first, k.pull, k.elastic, k.stiffest, g.radius
-    )
+    simple = constants_of(k, g.radius)
     leave = [simple_line(simple, g.radius * n / 1000.0).leave for n in range(200)]
     return max(-min(leave), 0.0)
 

@@ -20,8 +20,9 @@ from pestle.citations import cite
 from pestle.errors import EnergyWarning
 from pestle.laws._base import Geometry, Pair, Solid, register
 from pestle.laws._mdr_indenter import hardening
-from pestle.laws._mdr_pair import Constants, State, contact, wall
+from pestle.laws._mdr_pair import contact, wall
 from pestle.laws._mdr_particle import Particle, Sums, update
+from pestle.laws._mdr_quantities import Constants, State
 from pestle.laws._options import PairLaw, choice, parameter
 from pestle.reference.mdr import DECAY, RISE
 

@@ -148,6 +148,17 @@ def simple_bond(k: Simple, u: Line) -> float:
     return max(again, first - lost)
 
 
+def simple_gains(k: Simple) -> bool:
+    """Whether the way in, drawn by f_0, gives more than parting from f = 0 takes.
+
+    For a constant k_e; without one, never.
+    """
+    if k.first == 0.0 or k.elastic == 0.0:
+        return False
+    u = simple_line(k, -k.first / k.plastic)
+    return simple_bond(k, u) > PARTING * u.pull_off**2 / k.elastic
+
+
 def simple_peak(k: Simple, mass: float, velocity: float) -> float:
     """Largest overlap of an impact of the simplified version [m]."""
     energy = 0.5 * mass * velocity**2
