@@ -26,6 +26,7 @@ PAGES = {
     "metrics.md": metric_reference.page,
     "particles.md": result_columns.particles,
     "contacts.md": result_columns.contacts,
+    "meshes.md": result_columns.meshes,
     "reproduced.md": reproduced.page,
 }
 

@@ -17,6 +17,11 @@ def contacts() -> str:
     return _table(schema.CONTACT_FIELDS)
 
 
+def meshes() -> str:
+    """Return the table of the columns of walls' triangles."""
+    return _table(schema.MESH_FIELDS)
+
+
 def _table(fields: Mapping[str, schema.Field]) -> str:
     return table(
         ("column", "unit", "meaning"),

@@ -95,6 +95,7 @@ def test_columns_of_the_results_are_on_the_page():
     assert all(
         f"`{name}`" in result_columns.contacts() for name in schema.CONTACT_FIELDS
     )
+    assert all(f"`{name}`" in result_columns.meshes() for name in schema.MESH_FIELDS)
 
 
 def test_examples_say_what_they_are_for():

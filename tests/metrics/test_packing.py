@@ -22,6 +22,7 @@ from pestle.metrics.stress import (
     von_mises,
 )
 from pestle.results import Frame
+from pestle.results.write import NO_MESH
 
 
 def frame(position, radius, contacts=(), **particles):
@@ -51,6 +52,7 @@ def frame(position, radius, contacts=(), **particles):
             "area": np.pi * (big**2 - flat**2),
             "force": np.array([row[5] for row in rows], float).reshape(-1, 3),
         },
+        dict(NO_MESH),
     )
 
 

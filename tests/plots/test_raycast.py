@@ -12,6 +12,7 @@ from pestle.plots.raycast import (
     Window,
     cast,
 )
+from pestle.plots.triangles import draw_triangles
 
 FRONT = Camera(azimuth=0.0, elevation=0.0)  # the viewer stands on +x and sees y right
 WINDOW = Window(left=-1.5, bottom=-1.5, width=300, height=300, pixel=0.01)
@@ -22,7 +23,7 @@ def bodies(centre, radius, planes=()):
     planes = sorted(planes, key=lambda plane: plane[0])
     owner = [plane[0] for plane in planes]
     return Bodies(
-        np.asarray(centre, float),
+        np.asarray(centre, float).reshape(-1, 3),
         np.asarray(radius, float),
         np.searchsorted(owner, np.arange(len(radius) + 1)),
         np.array([plane[1] for plane in planes], float).reshape(-1, 3),
@@ -102,3 +103,54 @@ def test_a_particle_cut_away_completely_is_not_seen():
     planes = [(0, (1, 0, 0), -0.5, CUT), (0, (-1, 0, 0), 0.4, CUT)]
     seen = cast(bodies([[0, 0, 0]], [1.0], planes), FRONT, WINDOW)
     assert (seen.particle < 0).all()
+
+
+def box(half):
+    """Mesh of a closed cube around the origin, wound outwards."""
+    corner = np.array(np.unravel_index(np.arange(8), (2, 2, 2))).T * 2.0 - 1.0
+    quads = np.array(
+        [
+            (0, 1, 3, 2),
+            (4, 6, 7, 5),
+            (0, 4, 5, 1),
+            (2, 3, 7, 6),
+            (0, 2, 6, 4),
+            (1, 5, 7, 3),
+        ]
+    )
+    triangle = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+    return {
+        "corner": half * corner,
+        "triangle": triangle,
+        "wall": np.zeros(12, int),
+    }
+
+
+@pytest.mark.parametrize(
+    ("plane", "depth", "kind"), [(np.inf, -0.5, FACET), (0, 0.0, CUT)]
+)
+def test_a_body_of_triangles_is_whole_or_cut_and_filled(plane, depth, kind):
+    seen = cast(bodies([[-1.2, 0, 0]], [0.2]), FRONT, WINDOW)
+    draw_triangles(seen, box(0.5), 7, FRONT, WINDOW, plane)
+    y, z = grid()
+    square = np.maximum(np.abs(y), np.abs(z)) < 0.5
+    np.testing.assert_array_equal(seen.particle == 7, square)
+    np.testing.assert_allclose(seen.depth[square], depth, atol=1e-12)
+    assert set(seen.kind[square]) == {kind}
+    np.testing.assert_allclose(seen.normal[square], [[0, 0, -1]] * square.sum())
+
+
+def test_a_particle_before_a_triangle_is_seen():
+    seen = cast(bodies([[0.8, 0, 0]], [0.2]), FRONT, WINDOW)
+    draw_triangles(seen, box(0.5), 7, FRONT, WINDOW, np.inf)
+    y, z = grid()
+    ball = y**2 + z**2 < 0.2**2
+    np.testing.assert_array_equal(seen.particle == 0, ball)
+
+
+def test_the_inside_of_a_sheet_is_no_cut():
+    mesh = box(0.5)
+    mesh["triangle"], mesh["wall"] = mesh["triangle"][:-1], mesh["wall"][:-1]
+    seen = cast(bodies([], []), FRONT, WINDOW)
+    draw_triangles(seen, mesh, 7, FRONT, WINDOW, 0.0)
+    assert set(seen.kind[seen.particle == 7]) == {FACET}

@@ -12,6 +12,8 @@ from pestle.errors import InputError, SimulationError
 from pestle.results import ResultFile, Results
 from pestle.results.safe_file import SafeFile, journal_path
 
+NONE = np.zeros((0, 3), int)
+
 
 def powder(seed, particles, contacts):
     """A frame of random numbers."""
@@ -32,7 +34,13 @@ def powder(seed, particles, contacts):
         "force": rng.random((contacts, 3)),
         "yielded": rng.random(contacts) < 0.5,
     }
-    return columns, ends
+    triangles = seed % 3 * 20  # of two walls, none in every third frame
+    mesh = {
+        "corner": rng.random((triangles, 3)),
+        "triangle": rng.integers(0, triangles, (triangles, 3)) if triangles else NONE,
+        "wall": np.sort(rng.integers(5, 7, triangles)),
+    }
+    return columns, ends, mesh
 
 
 SIZES = [(5, 0), (7, 4), (7, 30), (3000, 1200), (6, 2)]
@@ -50,12 +58,14 @@ def path(tmp_path):
 
 
 def assert_is_frame(frame, k):
-    particles, contacts = powder(k, *SIZES[k])
+    particles, contacts, mesh = powder(k, *SIZES[k])
     assert (frame.step, frame.time) == (10 * k, k / 10)
     for name, values in particles.items():
         np.testing.assert_array_equal(frame.particles[name], values)
     for name, values in contacts.items():
         np.testing.assert_array_equal(frame.contacts[name], values)
+    for name, values in mesh.items():
+        np.testing.assert_array_equal(frame.meshes[name], values)
 
 
 def test_reads_what_was_written(path):
@@ -118,18 +128,32 @@ def test_vtk_reads_every_step(path):
     for k in (4, 0, 2, 1, 3):  # in any order
         reader.UpdateTimeStep(times[k])
         shape = reader.GetOutputDataObject(0)
-        particles, contacts = powder(k, *SIZES[k])
+        particles, contacts, mesh = powder(k, *SIZES[k])
         assert shape.GetClassName() == "vtkPolyData"
         assert shape.GetNumberOfVerts() == len(particles["id"])
         assert shape.GetNumberOfLines() == len(contacts["first"])
-        assert shape.GetNumberOfPolys() == shape.GetNumberOfStrips() == 0
+        assert shape.GetNumberOfPolys() == len(mesh["triangle"])
+        assert shape.GetNumberOfStrips() == 0
         points = vtk_to_numpy(shape.GetPoints().GetData())
-        np.testing.assert_array_equal(points, particles["position"])
+        count = len(particles["id"])
+        np.testing.assert_array_equal(points[:count], particles["position"])
+        np.testing.assert_array_equal(points[count:], mesh["corner"])
+        faces = vtk_to_numpy(shape.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        np.testing.assert_array_equal(faces - count, mesh["triangle"])
+        kind = vtk_to_numpy(shape.GetCellData().GetArray("kind"))
+        assert np.count_nonzero(kind == 3) == len(faces)
+        wall = vtk_to_numpy(shape.GetCellData().GetArray("first"))[kind == 3]
+        np.testing.assert_array_equal(-1 - wall, mesh["wall"])
         tensor = vtk_to_numpy(shape.GetPointData().GetArray("stress"))
-        np.testing.assert_array_equal(tensor, particles["stress"].reshape(-1, 9))
+        np.testing.assert_array_equal(
+            tensor[:count], particles["stress"].reshape(-1, 9)
+        )
+        assert not tensor[count:].any()
         force = vtk_to_numpy(shape.GetCellData().GetArray("force"))
-        np.testing.assert_array_equal(force[len(points) :], contacts["force"])
-        assert not force[: len(points)].any()
+        lines = slice(count, count + len(contacts["first"]))
+        np.testing.assert_array_equal(force[lines], contacts["force"])
+        assert not force[:count].any()
+        assert not force[lines.stop :].any()
         ends = vtk_to_numpy(shape.GetLines().GetConnectivityArray()).reshape(-1, 2)
         first, second = contacts["first"], contacts["second"]
         ids = np.stack([first, np.where(second < 0, first, second)], axis=1)
@@ -157,7 +181,7 @@ def test_units_stand_beside_the_numbers(path):
 
 def test_unknown_particle_and_changed_columns_are_refused(path):
     file = ResultFile(path, "a")
-    particles, contacts = powder(9, 5, 3)
+    particles, contacts, _ = powder(9, 5, 3)
     with pytest.raises(ValueError, match="not in the frame"):
         file.append(90, 9.0, "x", particles, contacts | {"first": np.array([77] * 3)})
     del particles["radius"]

@@ -1,5 +1,6 @@
 """A bed is filled, levelled, stirred by a blade and by a mesh, and resumed."""
 
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -145,6 +146,32 @@ def test_levelling_takes_away_what_stands_higher(whole: Path) -> None:
         assert 50 < counts[-1] < 120
         ids = frames[len(frames) - 1].particles["id"]
         assert len(set(ids.tolist())) == len(ids)
+
+
+def test_frames_show_bodies_where_they_are(whole: Path) -> None:
+    from pestle.results import Results
+
+    history = read_history(whole / "history.csv")
+    angle = 0.0
+    with Results(whole / "results.vtkhdf") as frames:
+        assert not len(frames[0].meshes["wall"])  # absent while the powder is poured
+        stirred = [frame for frame in frames if frame.stage == "stir"]
+        shown = [frame for frame in stirred if len(frame.meshes["wall"])]
+        assert len(shown) > 2
+        assert {len(np.unique(frame.meshes["wall"])) for frame in shown} == {1}
+        last = frames[len(frames) - 1]
+        assert len(np.unique(last.meshes["wall"])) == 2  # blade and cube
+    for old, new in pairwise(shown):
+        row = np.searchsorted(history["step"], [old.step, new.step])
+        fell = np.diff(history["blade.displacement [m]"][row])
+        one, two = old.meshes["corner"], new.meshes["corner"]
+        np.testing.assert_allclose(one[:, 2] - two[:, 2], fell[0], atol=1e-12)
+        off_axis = np.hypot(one[:, 0], one[:, 1]) > 1e-4
+        turned = np.angle((two @ [1, 1j, 0])[off_axis] / (one @ [1, 1j, 0])[off_axis])
+        np.testing.assert_allclose(turned, turned[0], atol=1e-9)
+        angle += turned[0]
+        assert np.ptp(two @ [1, 0, 0]) < 7.001e-3
+    assert abs(angle) > 0.1
 
 
 def test_the_ledger_closes(whole: Path) -> None:

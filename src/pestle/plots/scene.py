@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from pestle.metrics.packing import Facets, facets
 from pestle.plots.raycast import CUT, FACET, Bodies, Camera, Window, cast
 from pestle.plots.shading import shade
+from pestle.plots.triangles import draw_triangles
 from pestle.results import Frame
 
 Array = NDArray[np.float64]
@@ -16,11 +17,17 @@ Array = NDArray[np.float64]
 POWDER = (0.965, 0.935, 0.885)
 """Colour of a particle that nothing is known about: cellulose."""
 
+STEEL = (0.60, 0.63, 0.67)
+"""Colour of a wall of triangles."""
+
 SCALE = ("#f3ecdf", "#f2cf94", "#e69150", "#c4523f", "#7d2748", "#3b1238")
 """Colours from nothing to the largest value."""
 
 _LARGEST = 200_000
 """Particles beyond this number are not drawn [-]."""
+
+_ABOVE = 0.35
+"""Part of a wall that is shown above the powder, over the height of the powder [-]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,7 +113,12 @@ def common_view(
 def _extent(frame: Frame, camera: Camera) -> tuple[Array, Array]:
     seen = frame.particles["position"] @ camera.axes.T
     radius = frame.particles["radius"][:, None]
-    return (seen - radius).min(axis=0), (seen + radius).max(axis=0)
+    low, high = (seen - radius).min(axis=0), (seen + radius).max(axis=0)
+    if len(frame.meshes["corner"]):
+        top = float((frame.meshes["corner"] @ camera.axes[1]).max())
+        room = high[1] + _ABOVE * (high[1] - low[1])
+        high[1] = max(high[1], min(top, room))
+    return low, high
 
 
 def picture(
@@ -141,10 +153,15 @@ def picture(
     left, bottom = float(middle - 0.5 * view.across), float(low[1] - margin)
     n = view.samples
     window = Window(left, bottom, view.pixels * n, view.lines * n, view.pixel / n)
-    bodies, rows = _bodies(frame, view.camera, cut=cut, kept=kept)
+    plane = np.inf
+    if cut:
+        plane = float(np.mean(frame.particles["position"] @ view.camera.toward_viewer))
+    bodies, rows = _bodies(frame, view.camera, plane=plane, kept=kept)
     seen = cast(bodies, view.camera, window)
+    draw_triangles(seen, frame.meshes, len(rows), view.camera, window, plane)
     reach = float(np.median(frame.particles["radius"]))
-    shaded = shade(seen, _colours(frame, values, top)[rows], reach=reach, samples=n)
+    colours = np.concatenate([_colours(frame, values, top)[rows], [STEEL]])
+    shaded = shade(seen, colours, reach=reach, samples=n)
     return Picture(
         _png(shaded),
         view.pixels,
@@ -157,7 +174,7 @@ def picture(
 
 
 def _bodies(
-    frame: Frame, camera: Camera, *, cut: bool, kept: Facets | None
+    frame: Frame, camera: Camera, *, plane: float, kept: Facets | None
 ) -> tuple[Bodies, NDArray[np.int64]]:
     """Shapes to draw, and which rows of the frame they are."""
     position, radius = frame.particles["position"], frame.particles["radius"]
@@ -167,9 +184,8 @@ def _bodies(
     distance = np.concatenate([face.distance for face in faces])
     kind = np.full(len(owner), FACET, dtype=np.int8)
     visible = np.ones(len(radius), dtype=np.bool_)
-    if cut:
+    if np.isfinite(plane):
         toward = camera.toward_viewer
-        plane = float(np.mean(position @ toward))
         room = plane - position @ toward
         visible = room > -radius
         crossed = np.flatnonzero(visible & (room < radius))

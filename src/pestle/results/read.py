@@ -26,6 +26,8 @@ _DAMAGE = (
 )
 """What h5py raises when it meets a damaged file."""
 
+POLYGONS = schema.TOPOLOGIES.index("Polygons")
+
 Columns = dict[str, NDArray[Any]]
 
 
@@ -41,7 +43,7 @@ class Frame:
         Simulated time [s].
     stage : str
         Name of the process stage.
-    particles, contacts : dict of str to ndarray
+    particles, contacts, meshes : dict of str to ndarray
         Columns as in ``schema``; stress is (N, 3, 3).
     """
 
@@ -50,6 +52,7 @@ class Frame:
     stage: str
     particles: Columns
     contacts: Columns
+    meshes: Columns
 
     def contact_indices(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         """Rows of both particles of every contact; -1 - w for wall number w."""
@@ -172,7 +175,26 @@ class Results:
             self.stages[place],
             particles,
             contacts,
+            self._meshes(place, start + count, count, pairs),
         )
+
+    def _meshes(self, place: int, start: int, count: int, pairs: int) -> Columns:
+        vtk = self._file["VTKHDF"]
+        corners = int(vtk["NumberOfPoints"][place]) - count
+        faces = int(vtk["Polygons/NumberOfCells"][place])
+        begin = int(vtk["Steps/ConnectivityIdOffsets"][place][POLYGONS])
+        ends = _rows(vtk["Polygons/Connectivity"], begin, 3 * faces) - count
+        if np.any((ends < 0) | (ends >= corners)):
+            raise ValueError("a triangle has a corner that is not there")
+        wall = np.zeros(0, np.int64)
+        if faces:
+            begin = int(vtk["Steps/CellDataOffsets/first"][place]) + count + pairs
+            wall = -1 - _rows(vtk["CellData/first"], begin, faces)
+        return {
+            "corner": _rows(vtk["Points"], start, corners),
+            "triangle": ends.reshape(-1, 3),
+            "wall": wall,
+        }
 
 
 def _check_sizes(file: Any, path: Path) -> None:

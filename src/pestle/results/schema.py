@@ -1,8 +1,9 @@
 """Names, units and layout of the results file.
 
 ``/VTKHDF`` is what VTK and ParaView read: a PolyData time series in which every
-particle is a vertex and every contact a line between two particles. ``/pestle`` holds
-what belongs to us: schema version, provenance, case text and the table of frames.
+particle is a vertex, every contact a line between two particles and every triangle of a
+wall a polygon. ``/pestle`` holds what belongs to us: schema version, provenance, case
+text and the table of frames.
 """
 
 from dataclasses import dataclass
@@ -53,5 +54,11 @@ CONTACT_FIELDS: dict[str, Field] = {
     "yielded": Field("-", "1 after first yield"),
 }
 
+MESH_FIELDS: dict[str, Field] = {
+    "corner": Field("m", "corners of all triangles"),
+    "triangle": Field("-", "rows of the three corners of each triangle"),
+    "wall": Field("-", "number of the wall that a triangle belongs to"),
+}
+
 KIND = "kind"
-"""Cell array of the file: 0 particle, 1 pair of particles, 2 particle and wall."""
+"""Cell array of the file: 0 particle, 1 pair, 2 particle and wall, 3 triangle."""

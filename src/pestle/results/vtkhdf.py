@@ -79,15 +79,20 @@ def check_names(vtk: Any, points: Arrays, cells: Arrays) -> None:
 
 
 def append_geometry(
-    vtk: Any, position: NDArray[np.float64], lines: NDArray[np.int64]
+    vtk: Any,
+    position: NDArray[np.float64],
+    lines: NDArray[np.int64],
+    corner: NDArray[np.float64],
+    triangle: NDArray[np.int64],
 ) -> None:
-    """Points, a vertex for each, the lines, and no polygons or strips."""
-    points, contacts = len(position), len(lines)
+    """Points with a vertex for each, lines, triangles with their corners, no strips."""
+    points, contacts, faces = len(position), len(lines), len(triangle)
     steps = vtk["Steps"]
     _grow(steps, "PointOffsets", [vtk["Points"].shape[0]])
     parts = {
         "Vertices": (points, np.arange(points), np.arange(points + 1)),
         "Lines": (contacts, lines.ravel(), 2 * np.arange(contacts + 1)),
+        "Polygons": (faces, triangle.ravel() + points, 3 * np.arange(faces + 1)),
     }
     nothing = (0, np.zeros(0, np.int64), np.zeros(1, np.int64))
     cell_offsets, connectivity_offsets = [], []
@@ -102,8 +107,8 @@ def append_geometry(
         _grow(group, "Offsets", offsets)
     _grow(steps, "CellOffsets", [cell_offsets])
     _grow(steps, "ConnectivityIdOffsets", [connectivity_offsets])
-    _grow(vtk, "NumberOfPoints", [points])
-    _grow(vtk, "Points", position)
+    _grow(vtk, "NumberOfPoints", [points + len(corner)])
+    _grow(vtk, "Points", np.concatenate([position, corner]))
 
 
 def append_columns(

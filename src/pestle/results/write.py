@@ -18,6 +18,12 @@ if TYPE_CHECKING:
 
 Arrays = Mapping[str, NDArray[Any]]
 
+NO_MESH: Arrays = {
+    "corner": np.zeros((0, 3)),
+    "triangle": np.zeros((0, 3), np.int64),
+    "wall": np.zeros(0, np.int64),
+}
+
 __all__ = ["History", "ResultFile"]
 
 
@@ -83,6 +89,7 @@ class ResultFile:
         stage: str,
         particles: Arrays,
         contacts: Arrays,
+        meshes: Arrays = NO_MESH,
     ) -> None:
         """Add a frame.
 
@@ -97,15 +104,22 @@ class ResultFile:
         particles, contacts : Mapping of str to ndarray
             Columns named and oriented as in ``schema``; "id" and "position", "first"
             and "second" are needed, more are welcome. All frames have the same names.
+        meshes : Mapping of str to ndarray
+            Triangles of walls where they are now, "corner", "triangle" and "wall".
         """
-        cells, lines = _cells(particles, contacts)
+        cells, lines = _cells(particles, contacts, np.asarray(meshes["wall"]))
+        corner = np.asarray(meshes["corner"])
         points = {
-            k: _flat(np.asarray(v)) for k, v in particles.items() if k != "position"
+            k: _padded(_flat(np.asarray(v)), after=len(corner))
+            for k, v in particles.items()
+            if k != "position"
         }
         with self._changes("r+") as file:
             vtk = file["VTKHDF"]
             vtkhdf.check_names(vtk, points, cells)
-            vtkhdf.append_geometry(vtk, np.asarray(particles["position"], float), lines)
+            position = np.asarray(particles["position"], float)
+            triangle = np.asarray(meshes["triangle"])
+            vtkhdf.append_geometry(vtk, position, lines, corner, triangle)
             vtkhdf.append_columns(vtk, "PointData", points, schema.PARTICLE_FIELDS)
             vtkhdf.append_columns(vtk, "CellData", cells, schema.CONTACT_FIELDS)
             vtkhdf.append_steps(vtk, time)
@@ -146,23 +160,27 @@ def _flat(values: NDArray[Any]) -> NDArray[Any]:
     return rows.reshape(len(rows), -1) if rows.ndim > 2 else rows
 
 
+def _padded(rows: NDArray[Any], *, before: int = 0, after: int = 0) -> NDArray[Any]:
+    """Rows with zeros around them."""
+    return np.pad(rows, [(before, after)] + [(0, 0)] * (rows.ndim - 1))
+
+
 def _cells(
-    particles: Arrays, contacts: Arrays
+    particles: Arrays, contacts: Arrays, wall: NDArray[Any]
 ) -> tuple[dict[str, NDArray[Any]], NDArray[np.int64]]:
-    """Cell columns (particles first, then contacts) and the ends of the lines."""
+    """Cell columns (particles, contacts, triangles) and the ends of the lines."""
     ids = np.asarray(particles["id"])
     first, second = np.asarray(contacts["first"]), np.asarray(contacts["second"])
     is_wall = second < 0
     start = _indices(ids, first)
     end = np.where(is_wall, start, _indices(ids, np.where(is_wall, first, second)))
     end = np.where(_crosses_boundary(particles, start, end), start, end)
-    kind = np.zeros(len(ids) + len(first), dtype=np.uint8)
-    kind[len(ids) :] = np.where(is_wall, 2, 1)
-    cells = {schema.KIND: kind}
+    kind = [0] * len(ids), np.where(is_wall, 2, 1), [3] * len(wall)
+    cells = {schema.KIND: np.concatenate(kind).astype(np.uint8)}
     for name, values in contacts.items():
         rows = _flat(np.asarray(values))
-        blank = np.zeros((len(ids), *rows.shape[1:]), dtype=rows.dtype)
-        cells[name] = np.concatenate([blank, rows])
+        cells[name] = _padded(rows, before=len(ids), after=len(wall))
+    cells["first"][len(ids) + len(first) :] = -1 - wall
     return cells, np.stack([start, end], axis=1)
 
 

@@ -11,9 +11,11 @@ from pestle.engine import walls as wl
 from pestle.results import provenance
 from pestle.results.stages import write_stages
 from pestle.results.write import History, ResultFile
+from pestle.simulation.build import surfaces_of
 from pestle.simulation.tables import (
     contact_table,
     coordination,
+    mesh_table,
     particle_table,
     solid_volumes,
 )
@@ -123,7 +125,14 @@ class Output:
         run.memory["frame"] = key
         contacts = contact_table(run.engine)
         particles = particle_table(run.engine, contacts)
-        self.results.append(run.steps, run.engine.time, stage, particles, contacts)
+        self.results.append(
+            run.steps,
+            run.engine.time,
+            stage,
+            particles,
+            contacts,
+            mesh_table(run.engine, surfaces_of(run.case, run.walls)),
+        )
 
     def stages(self, stages: list[dict[str, Any]]) -> None:
         """Write the list of stages."""

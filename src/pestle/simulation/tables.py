@@ -12,6 +12,7 @@ from pestle.laws._base import Nothing
 
 if TYPE_CHECKING:
     from pestle.engine.engine import Engine
+    from pestle.engine.mesh import Surface
 
 Array = npt.NDArray[Any]
 
@@ -130,6 +131,24 @@ def particle_table(engine: "Engine", contacts: dict[str, Array]) -> dict[str, Ar
         "psi": engine.field[order, 2] if multi else np.ones(n),
     }
     return table
+
+
+def mesh_table(engine: "Engine", surfaces: dict[int, "Surface"]) -> dict[str, Array]:
+    """Triangles of all walls that are there, where they are now."""
+    corner, triangle = [np.zeros((0, 3))], [np.zeros((0, 3), np.int64)]
+    wall = [np.zeros(0, np.int64)]
+    for w, surface in surfaces.items():
+        if engine.wall[w, wl.ACTIVE] > 0.0:
+            turn = engine.body[w, wl.TURN : wl.TURN + 9].reshape(3, 3)
+            point = engine.wall[w, wl.POINT : wl.POINT + 3]
+            triangle.append(surface.faces + sum(map(len, corner)))
+            corner.append(surface.vertices @ turn.T + point)
+            wall.append(np.full(len(surface.faces), w))
+    return {
+        "corner": np.concatenate(corner),
+        "triangle": np.concatenate(triangle),
+        "wall": np.concatenate(wall),
+    }
 
 
 def _span(engine: "Engine", contacts: dict[str, Array], pair: Array) -> Array:
