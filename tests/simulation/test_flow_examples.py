@@ -6,6 +6,8 @@ import pytest
 
 from pestle import simulation
 from pestle.config import Case
+from pestle.simulation import StopReason
+from simulation.test_resume import digest, interrupt_after
 
 EXAMPLES = Path(__file__).parent.parent.parent / "examples"
 
@@ -41,6 +43,41 @@ def test_the_heap_of_the_example(tmp_path: Path) -> None:
     found = numbers("heap.toml", tmp_path / "heap")
     assert found["angle_of_repose"] == pytest.approx(25.4, abs=2.0)
     assert found["angle_of_repose_error"] < 1.5
+
+
+@pytest.mark.slow
+def test_the_flow_energy_of_yield(tmp_path: Path) -> None:
+    """Within three deviations of three packings, and of their ratios."""
+    laws = {
+        "jkr": 'law={name="jkr"}',
+        "elastic": "law.yields=false",
+        "plastic": "law.yields=true",
+    }
+    found = {
+        key: numbers("ft4_small.toml", tmp_path / key, law) for key, law in laws.items()
+    }
+    energy = {key: each["flow_energy"] for key, each in found.items()}
+    assert energy["plastic"] == pytest.approx(6.71e-3, abs=0.42e-3)
+    assert energy["elastic"] / energy["jkr"] == pytest.approx(0.93, abs=0.05)
+    assert energy["plastic"] / energy["jkr"] == pytest.approx(1.18, abs=0.09)
+    for each in found.values():
+        assert each["bulk_density"] == pytest.approx(1421.0, abs=10.0)
+        assert each["ledger_residual"] < 0.01
+
+
+@pytest.mark.slow
+def test_the_rheometer_keeps_its_bits(tmp_path: Path) -> None:
+    """On one and two threads, and when it is cut while the blade goes down."""
+    coarse = ["particles.count=1200", "particles.radius.minimum=0.8 mm"]
+    coarse.append("particles.radius.maximum=1.2 mm")
+    case = Case.from_file(EXAMPLES / "ft4_small.toml", coarse)
+    for threads in (1, 2):
+        simulation.run(case, tmp_path / f"{threads}", threads=threads)
+    cut = tmp_path / "cut"
+    result = simulation.run(case, cut, progress=interrupt_after(60), threads=2)
+    assert result.stop_reason == StopReason.INTERRUPTED
+    assert simulation.run(case, cut, resume=True).stop_reason == StopReason.FINISHED
+    assert digest(tmp_path / "1") == digest(tmp_path / "2") == digest(cut)
 
 
 @pytest.mark.slow
