@@ -32,7 +32,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--runs", type=int, default=40, help="a multiple of 8")
     parser.add_argument("--workers", type=int, default=2)
-    parser.add_argument("--particles", type=int, default=1400)
+    parser.add_argument("--particles", type=int, default=1600)
     parser.add_argument("--out", type=Path)
     options = parser.parse_args()
     out = options.out or Path(tempfile.mkdtemp(prefix="pestle-sweep-"))

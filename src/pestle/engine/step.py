@@ -332,7 +332,8 @@ def compiled(
                 return n + 1, REBUILD
         return steps, RAN
 
-    kernel = _jit.njit(advance, parallel=True)
+    # without Python's lock: other threads, such as Dask's, answer while it runs
+    kernel = _jit.njit(advance, parallel=True, nogil=True)
     key = "-".join(
         [
             _jit.package_fingerprint(),

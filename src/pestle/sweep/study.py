@@ -234,7 +234,10 @@ def finished(
     from distributed import as_completed
 
     with cluster.connected(scheduler, workers) as client:
-        names = {f"{job.id}-{uuid4().hex}": job.id for job in jobs}
+        # one name before the numbers: Dask keeps a queue for tasks that belong together,
+        # and only runs that are in no worker's own list yet can go to an idle one
+        study = f"study-{uuid4().hex}"
+        names = {(study, number): job.id for number, job in enumerate(jobs)}
         futures = client.map(compute, jobs, key=list(names), pure=False)
         try:
             for future in as_completed(futures, loop=client.loop):
