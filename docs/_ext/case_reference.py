@@ -153,7 +153,8 @@ def unit_of(entry: Schema) -> str | None:
     """SI unit of a quantity, or of the numbers of an array."""
     if "x-unit" in entry:
         return str(entry["x-unit"])
-    inner = [*entry.get("anyOf", ()), *entry.get("prefixItems", ())]
+    items = [entry["items"]] if isinstance(entry.get("items"), dict) else []
+    inner = [*entry.get("anyOf", ()), *entry.get("prefixItems", ()), *items]
     return next((unit for part in inner if (unit := unit_of(part))), None)
 
 

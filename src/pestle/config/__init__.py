@@ -2,6 +2,7 @@
 
 from pestle.config.case import Case
 from pestle.config.contacts import ContactSettings, PairProperties, PairSettings
+from pestle.config.flow_sequence import FlowSequence
 from pestle.config.geometry import (
     BladeWall,
     BoxSettings,
@@ -43,6 +44,7 @@ __all__ = [
     "Eject",
     "EngineSettings",
     "Fill",
+    "FlowSequence",
     "Hold",
     "LawSettings",
     "Level",

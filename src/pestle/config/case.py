@@ -2,13 +2,14 @@
 
 import json
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import Field, PrivateAttr, model_validator
+from pydantic import AfterValidator, Field, PrivateAttr, model_validator
 
 from pestle.config.base import Section
 from pestle.config.checks import check_case, fill_contacts
 from pestle.config.contacts import ContactSettings, PairProperties
+from pestle.config.flow_sequence import written_out
 from pestle.config.geometry import AnyWall, BoxSettings, DieSettings, Wall
 from pestle.config.law import LawSettings
 from pestle.config.materials import MaterialSettings
@@ -55,7 +56,11 @@ class Case(Section):
     """Periodic box."""
     engine: EngineSettings = EngineSettings()
     """Numbers of the time integration."""
-    process: tuple[Step, ...] = Field(min_length=1, max_length=1000)
+    process: Annotated[
+        tuple[Step, ...],
+        Field(min_length=1, max_length=1000),
+        AfterValidator(written_out),
+    ]
     """Steps, one after the other."""
     output: OutputSettings = OutputSettings()
     """What is written and how often."""

@@ -6,6 +6,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, model_validator
 
 from pestle.config.base import problem
+from pestle.config.flow_sequence import FlowSequence
 from pestle.config.process_bodies import Carry, Level, Lift, Shear, Stir
 from pestle.config.quantities import (
     Coordinate,
@@ -270,6 +271,7 @@ Step = Annotated[
     | Deform
     | Carry
     | Stir
+    | FlowSequence
     | Level
     | Shear
     | Lift,
@@ -289,6 +291,7 @@ STEPS: dict[str, type[Stage]] = {
     "deform": Deform,
     "carry": Carry,
     "stir": Stir,
+    "flow_sequence": FlowSequence,
     "level": Level,
     "shear": Shear,
     "lift": Lift,

@@ -70,6 +70,8 @@ class Stir(Stage):
     clearance: Length | None = None
     """Height above the surface at which an absent blade comes in [m]; by default a mean
     radius."""
+    role: Literal["test", "conditioning", "stability", "flow-rate"] = "test"
+    """What its flow energy counts for; `flow_sequence` gives the roles of its steps."""
 
 
 class Level(Stage):

@@ -28,6 +28,12 @@ class FlowCurve:
         Work of the blade since it met the surface, or since the start, if deeper [J].
     torque, force : ndarray
         Torque about the axis [N m] and vertical force [N] on the powder.
+    role : str
+        What the energy counts for.
+    tip_speed : float
+        Speed of the tips [m/s].
+    mass : float
+        Of the powder [kg].
     """
 
     stage: str
@@ -35,6 +41,14 @@ class FlowCurve:
     energy: Array
     torque: Array
     force: Array
+    role: str = "test"
+    tip_speed: float = float("nan")
+    mass: float = float("nan")
+
+    @property
+    def goes_down(self) -> bool:
+        """Whether the blade goes down."""
+        return bool(self.depth[-1] > self.depth[0])
 
 
 def flow_curves(folder: RunFolder) -> list[FlowCurve]:
@@ -63,13 +77,18 @@ def flow_curve(folder: RunFolder, stage: Stage) -> FlowCurve | None:
         work - met,
         history[f"{wall}.torque_z [N m]"][rows],
         history[f"{wall}.force_z [N]"][rows],
+        info.get("role", "test"),
+        info.get("tip_speed", float("nan")),
+        info.get("mass", float("nan")),
     )
 
 
 def flow_metrics(folder: RunFolder) -> list[Metric]:
-    """Flow energy of every step `stir`, and the bulk density of the bed before it."""
+    """Flow energies, indices of a sequence, and the bulk density of the bed before."""
+    curves = flow_curves(folder)
     found: list[Metric] = []
-    for number, curve in enumerate(flow_curves(folder), start=1):
+    tests = [curve for curve in curves if curve.role == "test"]
+    for number, curve in enumerate(tests, start=1):
         place = "" if number == 1 else f"_{number}"
         found.append(
             _FLOW.metric(
@@ -81,6 +100,7 @@ def flow_metrics(folder: RunFolder) -> list[Metric]:
                 "times velocity, from the surface to the end of the step.",
             )
         )
+    found += _indices(curves)
     densities = [
         s.info["bulk_density"] for s in folder.stages if "bulk_density" in s.info
     ]
@@ -93,6 +113,60 @@ def flow_metrics(folder: RunFolder) -> list[Metric]:
                 unit="kg/m^3",
                 definition="Mass of the particles over the volume of the vessel below "
                 "the surface, before the blade comes.",
+            )
+        )
+    return found
+
+
+def _indices(curves: list[FlowCurve]) -> list[Metric]:
+    """What the standard sequence of a powder rheometer is read for."""
+    stable = [c for c in curves if c.role == "stability"]
+    down = [float(c.energy[-1]) for c in stable if c.goes_down]
+    up = [float(c.energy[-1] / c.mass) for c in stable if not c.goes_down]
+    found = []
+    if down:
+        found.append(
+            _FLOW.metric(
+                "basic_flowability_energy",
+                "Basic flowability energy",
+                down[-1],
+                unit="J",
+                definition="Flow energy of the last stability test, downwards.",
+            )
+        )
+    if len(down) > 1:
+        found.append(
+            _FLOW.metric(
+                "stability_index",
+                "Stability index",
+                down[-1] / down[0],
+                unit="-",
+                definition="Flow energy of the last stability test over the first.",
+            )
+        )
+    if up:
+        found.append(
+            _FLOW.metric(
+                "specific_energy",
+                "Specific energy",
+                float(np.mean(up[-2:])),
+                unit="J/kg",
+                definition="Energy of the way up over the mass of the powder, mean of "
+                "the last two stability tests.",
+            )
+        )
+    rates = [c for c in curves if c.role == "flow-rate" and c.goes_down]
+    if len(rates) > 1:
+        slow = min(rates, key=lambda c: c.tip_speed)
+        fast = max(rates, key=lambda c: c.tip_speed)
+        found.append(
+            _FLOW.metric(
+                "flow_rate_index",
+                "Flow-rate index",
+                float(slow.energy[-1] / fast.energy[-1]),
+                unit="-",
+                definition="Flow energy at the slowest of the tip speeds over that at "
+                "the fastest.",
             )
         )
     return found

@@ -10,7 +10,11 @@ if TYPE_CHECKING:
 
 
 def flow_energy(curves: list[FlowCurve]) -> "Figure | None":
-    """Energy and torque against depth, a line for each step; None without a step."""
+    """Energy and torque against depth, a line for each test; None without one."""
+    sequence = any(curve.role != "test" for curve in curves)
+    if sequence:
+        tests = ("stability", "flow-rate")
+        curves = [c for c in curves if c.role in tests and c.goes_down]
     if not curves:
         return None
     with style():

@@ -77,14 +77,16 @@ def stir_go(run: "Runner", step: Any) -> Conditions:
         "depth_at_start": depth(run, step.wall),
         "displacement_at_start": here,
         "surface": surface(run),
+        "role": step.role,
+        "tip_speed": step.tip_speed,
+        "mass": float(np.sum(np.sort(engine.vel[:, 3]))),
         "angular_velocity": rate,
         "velocity": fall,
     }
     if run.case.die is not None:
         bottom = float(engine.wall[run.wall("lower_punch"), wl.POINT + 2])
         volume = run.case.die.area * (surface(run) - bottom)
-        mass = float(np.sum(np.sort(engine.vel[:, 3])))
-        run.memory["stir"]["bulk_density"] = mass / volume
+        run.memory["stir"]["bulk_density"] = run.memory["stir"]["mass"] / volume
     return [(st.MOVED if way >= 0.0 else st.BACK, w, here + way)]
 
 

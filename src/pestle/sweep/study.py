@@ -234,8 +234,8 @@ def finished(
     from distributed import as_completed
 
     with cluster.connected(scheduler, workers) as client:
-        # one name before the numbers: Dask keeps a queue for tasks that belong together,
-        # and only runs that are in no worker's own list yet can go to an idle one
+        # one name before the numbers: Dask keeps a queue for tasks that belong
+        # together, and only runs in no worker's list yet can go to an idle one
         study = f"study-{uuid4().hex}"
         names = {(study, number): job.id for number, job in enumerate(jobs)}
         futures = client.map(compute, jobs, key=list(names), pure=False)
