@@ -1,6 +1,6 @@
 """How busy a study keeps the cores of this machine.
 
-python benchmarks/sweep.py [--runs 40] [--workers 2] [--particles 1400] [--out DIR]
+python benchmarks/sweep.py [--runs 40] [--workers 2] [--particles 1600] [--out DIR]
 
 Runs `pestle sweep` on a study of small tablets, each some tens of seconds long, and
 reads the processor time of every core between the first run's start and the moment when

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import trimesh
 
 from pestle.plots.raycast import (
     CUT,
@@ -107,23 +108,8 @@ def test_a_particle_cut_away_completely_is_not_seen():
 
 def box(half):
     """Mesh of a closed cube around the origin, wound outwards."""
-    corner = np.array(np.unravel_index(np.arange(8), (2, 2, 2))).T * 2.0 - 1.0
-    quads = np.array(
-        [
-            (0, 1, 3, 2),
-            (4, 6, 7, 5),
-            (0, 4, 5, 1),
-            (2, 3, 7, 6),
-            (0, 2, 6, 4),
-            (1, 5, 7, 3),
-        ]
-    )
-    triangle = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
-    return {
-        "corner": half * corner,
-        "triangle": triangle,
-        "wall": np.zeros(12, int),
-    }
+    cube = trimesh.creation.box((2 * half,) * 3)
+    return {"corner": cube.vertices, "triangle": cube.faces, "wall": np.zeros(12, int)}
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@ from pestle.engine import scratch as ct
 from pestle.engine import walls as wl
 from pestle.engine.walls import towards_wall
 from pestle.laws._base import Nothing
+from pestle.results.write import NO_MESH
 
 if TYPE_CHECKING:
     from pestle.engine.engine import Engine
@@ -135,8 +136,7 @@ def particle_table(engine: "Engine", contacts: dict[str, Array]) -> dict[str, Ar
 
 def mesh_table(engine: "Engine", surfaces: dict[int, "Surface"]) -> dict[str, Array]:
     """Triangles of all walls that are there, where they are now."""
-    corner, triangle = [np.zeros((0, 3))], [np.zeros((0, 3), np.int64)]
-    wall = [np.zeros(0, np.int64)]
+    corner, triangle, wall = ([NO_MESH[k]] for k in ("corner", "triangle", "wall"))
     for w, surface in surfaces.items():
         if engine.wall[w, wl.ACTIVE] > 0.0:
             turn = engine.body[w, wl.TURN : wl.TURN + 9].reshape(3, 3)
