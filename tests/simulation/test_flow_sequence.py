@@ -66,6 +66,15 @@ def test_without_conditioning(tmp_path: Path) -> None:
     )
 
 
+def test_two_sequences_are_told_apart_by_their_names(tmp_path: Path) -> None:
+    sequence, _, rest = SEQUENCE.partition("[output]")
+    named = sequence + 'name = "again"\n'
+    case = Case.from_file(written(tmp_path, sequence + named + "[output]" + rest))
+    assert len(case.process) == 2 + 16 + 16
+    assert case.stage_names[18] == "again conditioning 1 down"
+    assert case.stage_names[20] == "again test 1 down"
+
+
 @pytest.mark.parametrize("change", ["tests=0", "tests=1000", 'clearance="-1 mm"'])
 def test_what_is_no_sequence_is_refused(tmp_path: Path, change: str) -> None:
     with pytest.raises(InputError) as caught:

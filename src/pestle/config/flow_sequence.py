@@ -44,15 +44,16 @@ class FlowSequence(Stage):
 
     def steps(self) -> "Iterator[Stir]":
         """The steps that this one stands for, in their order."""
+        mine = f"{self.name} " if self.name else ""
         speeds = [*[self.tip_speed] * self.tests, *self.speeds]
         for number, speed in enumerate(speeds, start=1):
             if self.conditioning:
                 gentle = self.conditioning_speed or self.tip_speed
-                name = f"conditioning {number}"
+                name = f"{mine}conditioning {number}"
                 yield self._stroke(f"{name} down", "conditioning", gentle, down=True)
                 yield self._stroke(f"{name} up", "conditioning", gentle)
             role = "stability" if number <= self.tests else "flow-rate"
-            test = f"{self.name or 'test'} {number}"
+            test = f"{mine}test {number}"
             yield self._stroke(f"{test} down", role, speed, down=True, cuts=True)
             yield self._stroke(f"{test} up", role, speed)
 
