@@ -112,6 +112,7 @@ def dissipation(answer: dict[str, Array]) -> tuple[Array, Array]:
     noise = 0.5 * np.abs(np.diff(f) * moved)
     noise += 0.5 * np.maximum(k[1:], k[:-1]) * moved**2
     noise += 1e-9 * (np.abs(f[1:] * moved) + np.abs(u[1:]) + np.abs(u[:-1]))
+    noise += np.finfo(float).tiny  # below it numbers lose their digits
     return spent, noise
 
 
