@@ -75,6 +75,17 @@ def test_two_sequences_are_told_apart_by_their_names(tmp_path: Path) -> None:
     assert case.stage_names[20] == "again test 1 down"
 
 
+def test_an_error_behind_a_sequence_names_its_place_in_the_file(tmp_path: Path) -> None:
+    sequence, _, rest = SEQUENCE.partition("[output]")
+    stir = sequence.replace("flow_sequence", "stir").partition("tests")[0]
+    stir = stir.replace("tip_speed", 'wall = "spoon"\ntip_speed')
+    path = written(tmp_path, sequence + stir + "[output]" + rest)
+    with pytest.raises(InputError) as caught:
+        Case.from_file(path)
+    line = path.read_text().splitlines().index('wall = "spoon"') + 1
+    assert str(caught.value.where).endswith(f":{line}  process.3.wall")
+
+
 @pytest.mark.parametrize("change", ["tests=0", "tests=1000", 'clearance="-1 mm"'])
 def test_what_is_no_sequence_is_refused(tmp_path: Path, change: str) -> None:
     with pytest.raises(InputError) as caught:

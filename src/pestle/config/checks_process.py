@@ -30,7 +30,7 @@ def check_process(case: "Case") -> None:
     _check_fill(case)
     ejected = any(group.start_from is not None for group in case.particles)
     for number, stage in enumerate(case.process):
-        key = ("process", number)
+        key = ("process", stage.place(number))
         if isinstance(stage, Fill | Eject | Crush | Lift) and case.die is None:
             raise problem(
                 "needs-die",
@@ -62,7 +62,8 @@ def _check_names(case: "Case") -> None:
     for number, stage in enumerate(case.process):
         if stage.name is not None and names.count(stage.name) > 1:
             what = f'two steps have the name "{stage.name}"'
-            raise problem("contradiction", what, None, ("process", number, "name"))
+            key = "process", stage.place(number), "name"
+            raise problem("contradiction", what, None, key)
 
 
 def _check_fill(case: "Case") -> None:
@@ -72,7 +73,7 @@ def _check_fill(case: "Case") -> None:
             "wrong-order",
             'the step "fill" comes first or not at all',
             "an earlier run can be continued with start_from",
-            ("process", max(fills), "step"),
+            ("process", case.process[fills[-1]].place(fills[-1]), "step"),
         )
     generated = case.is_generated
     if generated and case.die is not None and case.box is None and not fills:

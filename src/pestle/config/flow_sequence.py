@@ -81,6 +81,10 @@ class FlowSequence(Stage):
 def written_out(process: tuple[Any, ...]) -> tuple[Any, ...]:
     """Steps of a process, with those in place of a sequence that it stands for."""
     steps: list[Any] = []
-    for step in process:
-        steps.extend(step.steps() if isinstance(step, FlowSequence) else [step])
+    for number, step in enumerate(process):
+        for one in step.steps() if isinstance(step, FlowSequence) else (step,):
+            if len(steps) != number:
+                one = one.model_copy()
+                one._written = number
+            steps.append(one)
     return tuple(steps)

@@ -62,7 +62,7 @@ def reasons(case: "Case") -> Iterator[tuple[str, str]]:
     if case.law.name == "zunker2024":
         yield from _mdr(case)
     for number, step in enumerate(case.process):
-        where = f"process.{number}"
+        where = f"process.{step.place(number)}"
         if step.step in REASONS:
             yield REASONS[step.step], where
         elif step.step == "press":

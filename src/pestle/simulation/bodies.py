@@ -99,7 +99,7 @@ def level_go(run: "Runner", step: Any) -> Conditions:
         raise InputError(
             "nothing-left",
             f"no particle lies below {step.height:g} m, the lowest reaches {lowest:g}",
-            f"process.{run.stage}.height",
+            f"process.{step.place(run.stage)}.height",
             "the height is a coordinate along z",
         )
     run.memory["surface"] = step.height

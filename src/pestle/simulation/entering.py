@@ -37,7 +37,7 @@ def come_in(run: "Runner", w: int) -> None:
             f'the body "{name}" comes in where particles are: {len(bad)} overlap it, '
             f"particle {engine.ids[worst]} by {100 * min(depth[worst], 1.0):.3g} % of "
             "its radius",
-            f"process.{run.stage}.wall",
+            f"process.{run.case.process[run.stage].place(run.stage)}.wall",
             f"let walls.{name}.point lie clear of the powder, or give the body from "
             "the start with absent = false",
         )
