@@ -24,9 +24,11 @@ def contact(
     k: Constants, g: Geometry, s: State, pi_: Particle, pj: Particle
 ) -> tuple[Response, State, Sums, Sums]:
     """Both sides of a pair against the flat between them."""
-    # each side bears W R*/R_i, so that both let go at the pair's 1.5 pi W R*
-    w = max(k.adhesion, 0.0) * g.radius
-    ki, kj = first_side(k, w / g.radius_i), second_side(k, w / g.radius_j)
+    # each side bears W R*/R_i, so that both let go at the pair's 1.5 pi W R*; where all
+    # pairs have a W of 0 the compiler leaves out what it would do
+    sticks = k.adhesion > 0.0
+    ki = first_side(k, k.adhesion * g.radius / g.radius_i if sticks else 0.0)
+    kj = second_side(k, k.adhesion * g.radius / g.radius_j if sticks else 0.0)
     grown_i = g.radius_i - pi_.initial_radius
     grown_j = g.radius_j - pj.initial_radius
     fresh = s.share == 0.0
