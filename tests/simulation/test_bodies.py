@@ -67,6 +67,9 @@ tip_speed = "0.3 m/s"
 helix_angle = "20 deg"
 to = "-1 mm"
 turn = "clockwise"
+[[process]]  # what the blade has thrown falls back
+step = "relax"
+for = "0.2 s"
 [[process]]
 step = "carry"
 wall = "cube"

@@ -11,7 +11,7 @@ from pestle.engine import neighbours as nb
 from pestle.engine import scratch as ct
 from pestle.engine import wall_lists as ls
 from pestle.engine import walls as wl
-from pestle.engine.lanes import aligned, lined
+from pestle.engine.lanes import LANES, aligned, lined
 from pestle.engine.screening import triples
 
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ def rebuild(e: "Engine", wanted: Array | None = None) -> None:
     old = e.first, e.pa, e.pb, e.hist, e.flag, e.weight
     left = np.arange(len(e.pos)) if wanted is None else np.flatnonzero(wanted)
     e.pos = e.pos[left] if wanted is not None else e.pos
-    cell, low, count = _grid(e, 2.0 * float(e.pos[:, 3].max()) + reach, images)
+    cell, low, count = _grid(e, reach, images)
     order, start = nb.cell_order(e.pos, low, cell, count)
     e.pos, order = np.ascontiguousarray(e.pos[order]), left[order]
     for name in ("vel", "mat", "ids", "field"):
@@ -51,8 +51,9 @@ def rebuild(e: "Engine", wanted: Array | None = None) -> None:
         setattr(e, name, lined(getattr(e, name)))
     wrap = images & (count >= 3)
     e.first, e.pa, e.pb = nb.pair_list(
-        e.pos, e.ids, low, cell, count, start, wrap, images, lengths, reach
-    )
+        e.pos, e.ids, low, cell, count, start, wrap, images, lengths, reach,
+        int(1.1 * len(e.pa)) or 8 * len(e.pos),
+    )  # fmt: skip
     pairs = len(e.pa)
     e.hist = aligned(pairs, e.layout.history)
     e.flag = np.zeros(pairs, np.uint8)
@@ -89,9 +90,9 @@ def list_walls(e: "Engine", order: Array, reach: float) -> None:
     ls.carry_walls(order, *old, e.wfirst, e.ww, e.whist, e.wflag, e.gap)
 
 
-def _grid(e: "Engine", size: float, images: Array) -> tuple[Array, Array, Array]:
-    low = e.pos[:, :3].min(axis=0)
-    span = e.pos[:, :3].max(axis=0) - low
+def _grid(e: "Engine", reach: float, images: Array) -> tuple[Array, Array, Array]:
+    low, high, largest = nb.extent(e.pos)
+    size, span = 2.0 * largest + reach, high - low
     low = np.where(images, e.box[3], low)
     span = np.where(images, e.box[0], span + 1e-12 * size)
     count = np.maximum(np.floor(span / size), 1).astype(np.int64)
@@ -123,7 +124,7 @@ def divide(e: "Engine") -> None:
         e.ledger = np.zeros((number, ct.LEDGER))
     if not hasattr(e, "scratch"):  # of a thread
         threads = numba.config.NUMBA_NUM_THREADS
-        e.scratch = np.zeros((threads, e.layout.rows * ct.W + 64))
+        e.scratch = aligned(threads, e.layout.rows * ct.W + LANES)
         e.listed = np.zeros((threads, 4, ct.W), np.int64)
         e.cand = np.zeros((threads, mp.CANDIDATES, mp.COLUMNS))
         e.chosen = np.zeros((threads, ls.SLOTS + 8), np.int64)

@@ -12,6 +12,18 @@ from pestle import _jit
 
 
 @_jit.njit
+def extent(pos: Any) -> tuple[Any, Any, float]:
+    """Lowest and highest centre on each axis, and the largest radius."""
+    low, high, largest = np.full(3, np.inf), np.full(3, -np.inf), 0.0
+    for i in range(pos.shape[0]):
+        for c in range(3):
+            low[c] = min(low[c], pos[i, c])
+            high[c] = max(high[c], pos[i, c])
+        largest = max(largest, pos[i, 3])
+    return low, high, largest
+
+
+@_jit.njit
 def cell_order(pos: Any, low: Any, cell: Any, count: Any) -> Any:
     """Return the order of particles sorted by cell, and the start of each cell."""
     n = pos.shape[0]
@@ -51,9 +63,13 @@ def _scan(
     pa: Any,
     pb: Any,
 ) -> int:
-    """Fill the half list; with empty `pa` only count: first[i+1] - first[i] pairs of i."""
+    """Fill the half list, as far as it has room; return how many pairs there are.
+
+    Pairs first[i]:first[i + 1] are those of i.  All pairs looked at are written, one over
+    the other until one is near: no branch to be guessed.
+    """
     n = pos.shape[0]
-    fill = pa.shape[0] > 0
+    last = pa.shape[0] - 1
     total = 0
     nx, ny, nz = count[0], count[1], count[2]
     any_image = images[0] or images[1] or images[2]
@@ -97,11 +113,10 @@ def _scan(
                             dy -= box[1] * np.floor(dy * inverse[1] + 0.5)
                             dz -= box[2] * np.floor(dz * inverse[2] + 0.5)
                         r = reach + pos[s, 3]
-                        if dx * dx + dy * dy + dz * dz < r * r:
-                            if fill:
-                                pa[total] = i if ids[i] < ids[j] else j
-                                pb[total] = j if ids[i] < ids[j] else i
-                            total += 1
+                        k = U(min(total, last))
+                        pa[k] = i if ids[i] < ids[s] else j
+                        pb[k] = j if ids[i] < ids[s] else i
+                        total += dx * dx + dy * dy + dz * dz < r * r
     first[n] = total
     return total
 
@@ -117,15 +132,21 @@ def pair_list(
     images: Any,
     box: Any,
     skin: float,
+    room: int,
 ) -> tuple[Any, Any, Any]:
-    """Return `first`, `pa`, `pb`: pairs of the lower index i are first[i]:first[i+1]."""
+    """Return `first`, `pa`, `pb`: pairs of the lower index i are first[i]:first[i+1].
+
+    There will be about `room` pairs: were there more, they are looked for again.
+    """
     first = np.empty(pos.shape[0] + 1, np.int64)
-    none = np.empty(0, np.int32)
     arguments = (pos, ids, low, cell, count, start, wrap, images, box, skin, first)
-    total = _scan(*arguments, none, none)
-    pa, pb = np.empty(total, np.int32), np.empty(total, np.int32)
-    _scan(*arguments, pa, pb)
-    return first, pa, pb
+    total = room
+    while True:
+        room = total + 1  # the last place takes what is not near
+        pa, pb = np.empty(room, np.int32), np.empty(room, np.int32)
+        total = _scan(*arguments, pa, pb)
+        if total < room:
+            return first, pa[:total].copy(), pb[:total].copy()
 
 
 @_jit.njit
