@@ -127,10 +127,12 @@ class Twin:
         soften = min(kt / m.stiffness, 1.0) if m.stiffness > 0 else 1.0
         limit = rule.sliding_friction * abs(response.force + damp)
         spring = flat * soften - kt * dt * across
-        m.spring = spring * min(limit / max(norm(spring), 1e-300), 1.0)
-        # the dashpot counts towards the limit, but never stretches the spring
-        friction = m.spring - damping * sqrt(mass * kt) * across
+        if not self.setup.stretched:
+            spring *= min(limit / max(norm(spring), 1e-300), 1.0)
+        drag = damping * sqrt(mass * kt) * across
+        friction = spring - drag
         friction *= min(limit / max(norm(friction), 1e-300), 1.0)
+        m.spring = friction + drag if self.setup.stretched else spring
         torque = np.zeros(3)
         if self.setup.rolling:
             roll = spins[0] - spins[1]

@@ -47,6 +47,7 @@ class Setup:
     walls: tuple[Wall, ...] = ()
     gravity: tuple[float, ...] = (0.0, 0.0, 0.0)
     rolling: bool = False
+    stretched: bool = False
     lengths: tuple[float, ...] = (0.0, 0.0, 0.0)  # periodic where not 0
     rate: tuple[float, ...] = (0.0, 0.0, 0.0)  # of the box [1/s]
     step: float | None = None  # None: as the engine chooses
@@ -68,6 +69,7 @@ class Setup:
             particle_solids=self.particle_solids,
             gravity=np.array(self.gravity),
             rolling=self.rolling,
+            stretched=self.stretched,
             skin=self.skin,
         )
         rows, moves = [], []

@@ -68,14 +68,16 @@ def test_elastic_collision_closes_and_converges(case):
     assert orders.min() > 3.0
 
 
-def rubbing(parts, *, e=1.0, mu=0.3, tangential=1.0, spin=0.0, rolling=0.0):
+def rubbing(
+    parts, *, e=1.0, mu=0.3, tangential=1.0, spin=0.0, rolling=0.0, stretched=False
+):
     """A sphere that meets a wall at an angle."""
     time = hertz(4 / 3 * np.pi * GLASS.density, 1.0, 1 / GLASS.compliance, 1.0)[2]
     rule = PairRule(sliding_friction=mu, rolling_friction=rolling, damping=factor(e))
     return Setup(
         position=np.array([[0, 0, 1.0]]), radius=np.ones(1), walls=(Wall(),),
         velocity=[tangential, 0.2, -1.0], spin=[0.1, spin, 0.3], step=time / parts,
-        rules={(0, 1): rule}, rolling=rolling > 0.0,
+        rules={(0, 1): rule}, rolling=rolling > 0.0, stretched=stretched,
     )  # fmt: skip
 
 
@@ -92,6 +94,7 @@ def ledger_of(setup):
         {"mu": 0.3, "tangential": 4.0},
         {"mu": 0.3, "spin": 3.0},
         {"mu": 0.3, "spin": 3.0, "rolling": 0.2},
+        {"mu": 0.3, "spin": 3.0, "stretched": True},
     ],
 )
 def test_friction_closes_to_round_off(case):

@@ -81,6 +81,10 @@ def test_hertz_with_rolling_resistance():
     compare(hertz(rolling=True), 300, rtol=1e-9)
 
 
+def test_hertz_with_spring_and_dashpot_cut_together():
+    compare(hertz(stretched=True), 400, rtol=1e-9)
+
+
 def test_hertz_in_a_moving_cylinder():
     place, size = packing(12, lower=(-1.9 * 1.5, -1.9 * 1.5, 0.0))
     v, w = speeds(12)

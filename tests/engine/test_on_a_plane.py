@@ -50,6 +50,22 @@ def test_slides_then_rolls():
     assert engine.vel[0, 0] == pytest.approx(LEVER * engine.vel[0, 5], rel=1e-6)
 
 
+@pytest.mark.parametrize("stretched", [False, True])
+def test_spring_of_a_sliding_contact(stretched):
+    """At the limit; with the other rule what the dashpot leaves of it, gamma v less."""
+    mu, damping, start = 0.3, 0.5, 2.0
+    setup = resting(mu=mu, damping=damping, velocity=[start, 0, 0], stretched=stretched)
+    engine = run(setup.engine(), 200)
+    slip = engine.vel[0, 0] + mu * G * 1e-4 - LEVER * engine.vel[0, 5]
+    assert slip > 0.5 * start
+    radius = np.sqrt(SUNK)
+    shear = 8 * GLASS.shear_modulus / (2 - GLASS.poisson_ratio) * radius
+    drag = damping * np.sqrt(MASS * shear) * slip
+    assert drag > 0.1 * mu * MASS * G
+    expected = mu * MASS * G - (drag if stretched else 0.0)
+    assert -engine.whist[0, 0] == pytest.approx(expected, rel=2e-3)
+
+
 def test_heat_of_sliding():
     """2/7 of the kinetic energy is lost before it rolls."""
     engine = resting(velocity=[2.0, 0, 0]).engine()

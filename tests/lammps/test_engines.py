@@ -124,15 +124,24 @@ def test_two_spheres_between_flats(tmp_path, law, changes, most):
 
 @pytest.mark.oracle
 @pytest.mark.usefixtures("lmp")
-@pytest.mark.parametrize(("restitution", "most"), [(0.9, 0.03), (0.3, 0.05)])
-def test_twelve_spheres_with_friction(tmp_path, restitution, most):
-    """Hertz-Mindlin, 6 flats that close in; the dashpots of sliding contacts differ."""
+@pytest.mark.parametrize(
+    ("rule", "restitution", "most"),
+    [
+        ("total", 0.9, 0.03),
+        ("total", 0.3, 0.03),
+        ("spring", 0.9, 0.03),
+        ("spring", 0.3, 0.05),
+    ],
+)
+def test_twelve_spheres_with_friction(tmp_path, rule, restitution, most):
+    """Hertz-Mindlin, 6 flats that close in; LAMMPS has the sliding rule "total"."""
     case = Case.from_file(
         TRIAXIAL,
         {
             "law": "hertz",
             "contacts.sliding_friction": 0.3,
             "contacts.restitution": restitution,
+            "contacts.sliding_rule": rule,
             "process.move.at": "2 m/s",
             "process.move.to": "0.2 m",
             "engine.time_step": "2 us",
@@ -140,7 +149,7 @@ def test_twelve_spheres_with_friction(tmp_path, restitution, most):
         },
     )
     found = difference(*both(case, tmp_path), across(case))
-    print(f"e = {restitution}: mean {found.mean():.2g}, largest {found.max():.2g}")
+    print(f"{rule}, e = {restitution}: {found.mean():.2g}, largest {found.max():.2g}")
     assert found.mean() < 0.01
     assert found.max() < most
 

@@ -1,7 +1,7 @@
 """[contacts]: friction, damping and adhesion of every pair of materials."""
 
 from dataclasses import dataclass
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from pydantic import AliasChoices, Field, model_validator
 
@@ -70,6 +70,10 @@ class ContactSettings(Section):
     papers ("effective surface energy"), also accepted as surface_energy. JKR pull-off
     is 1.5 pi W R*. With a surface energy gamma per surface, W = 2 gamma for like
     bodies."""
+    sliding_rule: Literal["spring", "total"] = "spring"
+    """What Coulomb's limit cuts: "spring", the tangential spring and then its sum with
+    the dashpot; "total", that sum alone: the spring of a sliding contact is then what
+    the dashpot leaves, as in LAMMPS."""
     pairs: tuple[PairSettings, ...] = ()
     """Pairs that differ from the default."""
 
@@ -105,7 +109,7 @@ class ContactSettings(Section):
         for pair in self.pairs:
             if frozenset(pair.between) == frozenset((first, second)):
                 own = pair.model_dump(exclude={"between"}, exclude_none=True)
-        default = self.model_dump(exclude={"pairs"})
+        default = self.model_dump(exclude={"pairs", "sliding_rule"})
         if "restitution" in own or "damping_ratio" in own:
             default.update(restitution=None, damping_ratio=None)
         return PairProperties(**{**default, **own})

@@ -89,6 +89,7 @@ class Engine:
     particle_solids: int = 1
     gravity: Array = field(default_factory=lambda: np.zeros(3))
     rolling: bool = False
+    stretched: bool = False  # the sliding rule: spring and dashpot cut together
     safety: float = 0.2
     skin: float = 0.0
     beyond: float = 0.0  # reach beyond touch since the lists were built [m]
@@ -294,6 +295,7 @@ class Engine:
             self.parts,
             self.particle_solids == 1,
             self.rolling,
+            self.stretched,
             bool((self.box[1] > 0.0).any()),
             bool((self.wall[:, wl.KIND] == wl.MESH).any()),
             self._zeros(),

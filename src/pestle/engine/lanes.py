@@ -135,7 +135,8 @@ def make_lanes(stride: int) -> tuple[Any, Any, Any]:
     write(rows, column, index, c, scratch, place)
         Write scratch rows back, in the order of the contacts.
     add(rows, column, index, c, scratch, place)
-        Add them, in that order; several contacts may name the same row.
+        Add them, in that order; several contacts may name the same row, and the column
+        may lie in another one, so many rows on or back.
     """
     if numba.config.DISABLE_JIT:
         return _plain(stride)
@@ -199,7 +200,9 @@ def _plain(stride: int) -> tuple[Any, Any, Any]:
         rows: Any, column: int, index: Any, c: int, scratch: Any, place: Any
     ) -> None:
         block = scratch[lanes(scratch, place)].T
+        flat, width = rows.reshape(-1), rows.shape[1]
         for row, value in zip(index[c : c + LANES], block, strict=True):
-            rows[row, column : column + LANES] += value
+            start = row * width + column
+            flat[start : start + LANES] += value
 
     return read, write, add

@@ -6,6 +6,7 @@ import numpy as np
 
 from pestle import _jit
 from pestle.engine import scratch as ct
+from pestle.engine.vectors import dot, plus
 from pestle.laws._base import Nothing, Parts
 
 
@@ -55,33 +56,28 @@ def make_move_chunk(law: Parts, layout: ct.Layout) -> Any:
         centre = dt_last / kick if kick > 0.0 else 0.0
         lost = 0.0
         own = offset[c] - chunks[c]
-        gx, gy, gz = gravity[0], gravity[1], gravity[2]
+        g = gravity[0], gravity[1], gravity[2]
         for i in range(chunks[c], chunks[c + 1]):
             o = own + i
-            m = vel[i, 3]
-            im, ii = kick / m, kick / vel[i, 7]
-            v0, v1, v2 = vel[i, 0], vel[i, 1], vel[i, 2]
-            w0, w1, w2 = vel[i, 4], vel[i, 5], vel[i, 6]
-            a0 = v0 + im * buf[o, 0] + kick * gx
-            a1 = v1 + im * buf[o, 1] + kick * gy
-            a2 = v2 + im * buf[o, 2] + kick * gz
-            b0, b1, b2 = w0 + ii * buf[o, 3], w1 + ii * buf[o, 4], w2 + ii * buf[o, 5]
+            m, inertia = vel[i, 3], vel[i, 7]
+            per = kick / (m * inertia)
+            im, ii = inertia * per, m * per
+            v, w = (vel[i, 0], vel[i, 1], vel[i, 2]), (vel[i, 4], vel[i, 5], vel[i, 6])
+            v_new = plus(plus(v, kick, g), im, (buf[o, 0], buf[o, 1], buf[o, 2]))
+            w_new = plus(w, ii, (buf[o, 3], buf[o, 4], buf[o, 5]))
             # product of the velocities before and after, those of a step as long as the
             # last one: closes the ledger exactly
-            speed = v0 * v0 + v1 * v1 + v2 * v2
-            spin = w0 * w0 + w1 * w1 + w2 * w2
-            gain = v0 * a0 + v1 * a1 + v2 * a2 - speed
-            turn = w0 * b0 + w1 * b1 + w2 * b2 - spin
-            moving += 0.5 * m * (speed + centre * gain)
-            kinetic += 0.5 * vel[i, 7] * (spin + centre * turn)
-            potential -= m * (gx * pos[i, 0] + gy * pos[i, 1] + gz * pos[i, 2])
-            vel[i, 0], vel[i, 1], vel[i, 2] = a0, a1, a2
-            vel[i, 4], vel[i, 5], vel[i, 6] = b0, b1, b2
-            x = pos[i, 0] + dt * (a0 + box[2, 0] * (pos[i, 0] - box[3, 0]))
-            y = pos[i, 1] + dt * (a1 + box[2, 1] * (pos[i, 1] - box[3, 1]))
-            z = pos[i, 2] + dt * (a2 + box[2, 2] * (pos[i, 2] - box[3, 2]))
+            speed, spin = dot(v, v), dot(w, w)
+            moving += 0.5 * m * (speed + centre * (dot(v, v_new) - speed))
+            kinetic += 0.5 * inertia * (spin + centre * (dot(w, w_new) - spin))
+            potential -= m * dot(g, (pos[i, 0], pos[i, 1], pos[i, 2]))
+            vel[i, 0], vel[i, 1], vel[i, 2] = v_new
+            vel[i, 4], vel[i, 5], vel[i, 6] = w_new
+            x = pos[i, 0] + dt * (v_new[0] + box[2, 0] * (pos[i, 0] - box[3, 0]))
+            y = pos[i, 1] + dt * (v_new[1] + box[2, 1] * (pos[i, 1] - box[3, 1]))
+            z = pos[i, 2] + dt * (v_new[2] + box[2, 2] * (pos[i, 2] - box[3, 2]))
             pos[i, 0], pos[i, 1], pos[i, 2] = x, y, z
-            speed = a0 * a0 + a1 * a1 + a2 * a2
+            speed = dot(v_new, v_new)
             fastest = max(fastest, speed)
             if multi:
                 radius, state = update(
@@ -100,11 +96,10 @@ def make_move_chunk(law: Parts, layout: ct.Layout) -> Any:
                     held += state[holds]
                 for q in range(size):
                     field[i, q] = state[q]
-            dx, dy, dz = x - ref[i, 0], y - ref[i, 1], z - ref[i, 2]
-            grown = pos[i, 3] - ref[i, 3]
-            far2 = dx * dx + dy * dy + dz * dz
-            if grown > 0.0:
-                far = np.sqrt(far2) + grown
+            path = x - ref[i, 0], y - ref[i, 1], z - ref[i, 2]
+            far2 = dot(path, path)
+            if multi:
+                far = np.sqrt(far2) + max(pos[i, 3] - ref[i, 3], 0.0)
                 far2 = far * far
             furthest = max(furthest, far2)
             if not speed < 1e300:

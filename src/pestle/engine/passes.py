@@ -40,6 +40,7 @@ from pestle.engine.scratch import (
     turns,
     write_lanes,
 )
+from pestle.engine.vectors import dot
 from pestle.laws._base import Nothing, Parts
 
 
@@ -86,12 +87,19 @@ def make_pair_chunk(
     *,
     uniform: bool,
     rolling: bool,
+    stretched: bool,
     periodic: bool,
     zeros: tuple[int, ...],
 ) -> Any:
     """Build the contact pass over one chunk of the pair list."""
     batch = make_batch(
-        law, layout, is_wall=False, uniform=uniform, rolling=rolling, zeros=zeros
+        law,
+        layout,
+        is_wall=False,
+        uniform=uniform,
+        rolling=rolling,
+        stretched=stretched,
+        zeros=zeros,
     )
     tally = make_tally()
     history, columns, constants = layout.history, layout.columns, layout.constants
@@ -103,7 +111,7 @@ def make_pair_chunk(
     out_a, out_b = layout.out_a, layout.out_b
     deep_row, ledger_row = layout.deep_row, layout.ledger_row
     prefetch = make_prefetch(history)
-    keeps = law.particle is not Nothing
+    kept = 2 if law.particle is not Nothing else 0  # of the flag of a contact that ends
     screened = law.screened
 
     def chunk(
@@ -133,11 +141,12 @@ def make_pair_chunk(
     ) -> None:
         U = np.uint64
         slots, one, two, kinds = listed[0], listed[1], listed[2], listed[3]
+        own = shift * columns  # where the chunk's own rows of the buffer begin
         k = k0
         while k < k1:
-            m = 0
-            stop = min(k1, k + BLOCK)
-            for n in range(k, stop):
+            m = fresh = 0
+            n = k
+            while n < k1 and m < BLOCK:
                 s = U(n)
                 a, b = U(pa[s]), U(pb[s])
                 prefetch(hist, n)
@@ -151,15 +160,22 @@ def make_pair_chunk(
                     dy -= box[0, 1] * np.floor(dy * box[1, 1] + 0.5)
                     dz -= box[0, 2] * np.floor(dz * box[1, 2] + 0.5)
                 rs = pos[a, 3] + pos[b, 3]
-                d2 = dx * dx + dy * dy + dz * dz
+                d2 = dot((dx, dy, dz), (dx, dy, dz))
                 near = d2 < (rs + cut) * (rs + cut)
                 if screened:
                     dist[s] = d2 if d2 < rs * rs else -1.0
                 slots[m] = n
                 S[at(0, m)], S[at(1, m)], S[at(2, m)] = dx, dy, dz
                 S[at(D2, m)], S[at(RA, m)], S[at(RB, m)] = d2, pos[a, 3], pos[b, 3]
-                m += near | ((flag[s] & 1) != 0)
-            k = stop
+                was = flag[s]
+                one[fresh] = n
+                fresh += near & (was == 0)
+                m += near | ((was & 1) != 0)
+                flag[s] = 3 if near else (was & kept)
+                n += 1
+            for c in range(fresh):  # what an earlier contact left is over
+                hist[U(one[c])] = 0.0
+            k = n
             full = fill_lanes(S, slots, m)
             for c in range(full):
                 s = U(slots[c])
@@ -181,42 +197,34 @@ def make_pair_chunk(
                     for g in range(table_turns):
                         q = min(g * LANES, last_t)
                         read_lanes(table, q, kinds, c, S, at(table_row + q, c))
-            for c in range(full):
-                if flag[U(slots[c])] == 0:  # what an earlier contact left is over
-                    for q in range(history):
-                        S[at(H0 + q, c)] = 0.0
-                if periodic:
-                    # the box carries a pair from where it was before the step
+            if periodic:
+                # the box carries a pair from where it was before the step
+                for c in range(full):
                     for v in range(3):
                         apart = S[at(A + v, c)] - S[at(B + v, c)]
                         apart += box[2, v] * S[at(v, c)]
                         S[at(A + v, c)] = apart / (1.0 + box[2, v] * dt)
                         S[at(B + v, c)] = 0.0
             batch(S, full, table, dt)
-            for c in range(full):
-                one[c] = one[c] + shift if c < m else spare
-                two[c] = two[c] + shift if c < m else spare
+            one[m:full] = two[m:full] = spare
             for c in range(0, full, LANES):
                 for g in range(history_turns):
                     q = min(g * LANES, last_q)
                     write_lanes(hist, q, slots, c, S, at(H0 + q, c))
                 for q in range(0, columns, LANES):
-                    add_lanes(buf, q, one, c, S, at(out_a + q, c))
-                    add_lanes(buf, q, two, c, S, at(out_b + q, c))
-            worked = pushed = 0.0
-            for c in range(m):
-                rs = S[at(RA, c)] + S[at(RB, c)]
-                near = S[at(D2, c)] < (rs + cut) * (rs + cut)
-                flag[U(slots[c])] = 3 if near else (2 if keeps else 0)
-                if periodic:  # the deforming box, against the contact
+                    add_lanes(buf, own + q, one, c, S, at(out_a + q, c))
+                    add_lanes(buf, own + q, two, c, S, at(out_b + q, c))
+            if periodic:  # the deforming box, against the contact
+                worked = pushed = 0.0
+                for c in range(m):
                     for v in range(3):
                         f = S[at(out_a + v, c)]
                         power = -f * box[2, v] * S[at(v, c)]
                         moved = -f * box[2, v] * S[at(A + v, c)] * dt
                         pushed += power
                         worked += power - moved  # from where the pair was before
-            ledger[BOX_NOW] += worked
-            ledger[BOX_NEXT] += pushed
+                ledger[BOX_NOW] += worked
+                ledger[BOX_NEXT] += pushed
             tally(S, m, ledger_row, deep_row, ledger, slots)
 
     return _jit.njit(chunk)

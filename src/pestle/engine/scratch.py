@@ -12,7 +12,7 @@ from pestle import _jit
 from pestle.engine.lanes import LANES, make_lanes
 from pestle.laws._base import Parts
 
-BLOCK = 128  # contacts in a block
+BLOCK = 128
 # length of a scratch row; no power of two: rows spread over the cache
 W = BLOCK + LANES
 # scratch rows; A and B are velocity 3, mass, angular velocity 3, moment of inertia
@@ -80,13 +80,15 @@ def loader(kind: type, base: int, zeros: tuple[int, ...] = ()) -> Any:
         return _jit.inline(lambda scratch, c: kind())
 
     def step(count: int) -> Any:
-        row = (base + count - 1) * W
+        row = base + count - 1
         if count == 0:
             return _jit.inline(lambda scratch, c: ())
         before = step(count - 1)
         if count - 1 in zeros:
             return _jit.inline(lambda scratch, c: (*before(scratch, c), 0.0))
-        return _jit.inline(lambda scratch, c: (*before(scratch, c), scratch[row + c]))
+        return _jit.inline(
+            lambda scratch, c: (*before(scratch, c), scratch[at(row, c)])
+        )
 
     fields = step(length)
     return _jit.inline(lambda scratch, c: kind(*fields(scratch, c)))
@@ -99,10 +101,10 @@ def saver(kind: type, base: int) -> Any:
     def step(index: int) -> Any:
         if index == length:
             return _jit.inline(lambda scratch, c, values: None)
-        row, after = (base + index) * W, step(index + 1)
+        row, after = base + index, step(index + 1)
 
         def save(scratch: Any, c: int, values: Any) -> None:
-            scratch[row + c] = values[index]
+            scratch[at(row, c)] = values[index]
             after(scratch, c, values)
 
         return _jit.inline(save)

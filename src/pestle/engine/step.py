@@ -57,6 +57,7 @@ def compiled(
     law: Parts,
     uniform: bool,
     rolling: bool,
+    stretched: bool,
     periodic: bool,
     meshed: bool,
     zeros: tuple[tuple[int, ...], tuple[int, ...]] = ((), ()),
@@ -67,8 +68,9 @@ def compiled(
     ----------
     law : Parts
         Parts of the law.
-    uniform, rolling, periodic, meshed : bool
-        All particles of one material; rolling friction; periodic box; walls of mesh.
+    uniform, rolling, stretched, periodic, meshed : bool
+        All particles of one material; rolling friction; Coulomb's limit for spring and
+        dashpot together; periodic box; walls of mesh.
     zeros : tuple
         Which of the law's constants are 0 for all pairs of particles, and of
         particles with walls: no code is made for them.
@@ -79,11 +81,17 @@ def compiled(
         layout,
         uniform=uniform,
         rolling=rolling,
+        stretched=stretched,
         periodic=periodic,
         zeros=zeros[0],
     )
     wall_chunk = make_wall_chunk(
-        law, layout, rolling=rolling, meshed=meshed, zeros=zeros[1]
+        law,
+        layout,
+        rolling=rolling,
+        stretched=stretched,
+        meshed=meshed,
+        zeros=zeros[1],
     )
     move_chunk = make_move_chunk(law, layout)
     screened = law.screened
@@ -107,7 +115,7 @@ def compiled(
                 lo = chunks[c]
                 me = get_thread_id()
                 shift = offset[c] - lo
-                spare = shift + last[c]  # a row that nobody reads, for idle lanes
+                spare = last[c]  # a row that nobody reads, for idle lanes
                 buf[offset[c] : offset[c] + last[c] - lo].reshape(-1)[:] = 0.0
                 ledger[c, :] = 0.0
                 ledger[c, ct.DEEPEST] = -1e300
@@ -343,7 +351,7 @@ def compiled(
             ),
             str(law.constants._fields),  # type: ignore[attr-defined]
             str(law.state._fields),  # type: ignore[attr-defined]
-            f"{uniform}{rolling}{periodic}{meshed}{zeros}",
+            f"{uniform}{rolling}{stretched}{periodic}{meshed}{zeros}",
         ]
     )
     return _jit.cached(kernel, key)

@@ -37,11 +37,23 @@ from pestle.laws._base import Nothing, Parts
 
 
 def make_wall_chunk(
-    law: Parts, layout: Layout, *, rolling: bool, meshed: bool, zeros: tuple[int, ...]
+    law: Parts,
+    layout: Layout,
+    *,
+    rolling: bool,
+    stretched: bool,
+    meshed: bool,
+    zeros: tuple[int, ...],
 ) -> Any:
     """Build the contact pass of one chunk's particles against the walls."""
     batch = make_batch(
-        law, layout, is_wall=True, uniform=False, rolling=rolling, zeros=zeros
+        law,
+        layout,
+        is_wall=True,
+        uniform=False,
+        rolling=rolling,
+        stretched=stretched,
+        zeros=zeros,
     )
     tally = make_tally()
     history, columns, constants = layout.history, layout.columns, layout.constants
@@ -106,6 +118,7 @@ def make_wall_chunk(
         U = np.uint64
         slots, one, kinds = listed[0], listed[1], listed[3]
         total[:, :] = 0.0
+        own = shift * columns  # where the chunk's own rows of the buffer begin
         k = k0
         while k < k1:
             m = 0
@@ -169,14 +182,13 @@ def make_wall_chunk(
                     S[at(D2, c)] = 4.0 * (ra + cut) * (ra + cut) + 1e-300
                     S[at(BEFORE, c)] = S[at(D2, c)]  # no work is done on it
             batch(S, full, table, dt)
-            for c in range(full):
-                one[c] = one[c] + shift if c < m else spare
+            one[m:full] = spare
             for c in range(0, full, LANES):
                 for g in range(history_turns):
                     q = min(g * LANES, last_q)
                     write_lanes(hist, q, slots, c, S, at(H0 + q, c))
                 for q in range(0, columns, LANES):
-                    add_lanes(buf, q, one, c, S, at(out_a + q, c))
+                    add_lanes(buf, own + q, one, c, S, at(out_a + q, c))
             for c in range(m):
                 s = U(slots[c])
                 i, w = U(wp[s]), U(ww[s])

@@ -140,6 +140,7 @@ def make_engine(
         particle_solids=len(case.powders),
         gravity=np.array(case.engine.gravity, float),
         rolling=any(rule.rolling_friction > 0.0 for rule in rules.values()),
+        stretched=case.contacts.sliding_rule == "total",
         safety=case.engine.safety,
     )
     if case.box is not None:
