@@ -17,15 +17,14 @@ def gather_forces(
     """Add the other chunks' buffers to a chunk's own; return max stiffness over mass."""
     lo, hi = chunks[c], chunks[c + 1]
     most = 0.0
-    columns = buf.shape[1]
+    own = offset[c] - lo
     for b in range(c):
         if last[b] > lo:
-            base = offset[b] - chunks[b]
-            own = offset[c] - lo
-            for i in range(lo, min(hi, last[b])):
-                for v in range(columns):
-                    buf[own + i, v] += buf[base + i, v]
-    own = offset[c] - lo
+            base, end = offset[b] - chunks[b], min(hi, last[b])
+            mine = buf[own + lo : own + end].reshape(-1)
+            theirs = buf[base + lo : base + end].reshape(-1)
+            for q in range(mine.shape[0]):
+                mine[q] += theirs[q]
     for i in range(lo, hi):
         most = max(most, buf[own + i, 6] / vel[i, 3])
     return most

@@ -10,7 +10,7 @@ import numpy as np
 
 from pestle import _jit
 from pestle.engine.contacts import make_batch
-from pestle.engine.lanes import make_prefetch
+from pestle.engine.lanes import make_prefetch, make_sum
 from pestle.engine.scratch import (
     BLOCK,
     BOX_NEXT,
@@ -43,6 +43,16 @@ from pestle.engine.scratch import (
 from pestle.engine.vectors import dot
 from pestle.laws._base import Nothing, Parts
 
+sum_block = make_sum(BLOCK)
+
+
+@_jit.njit
+def total(S: Any, row: int, m: int) -> float:
+    """Sum of a row of the scratch over the first m contacts of a block."""
+    for c in range(m, BLOCK):
+        S[at(row, c)] = 0.0
+    return sum_block(S, at(row, 0))  # type: ignore[no-any-return]
+
 
 def make_tally() -> Any:
     """Build the sum of a block's ledger rows into its chunk's ledger."""
@@ -50,7 +60,6 @@ def make_tally() -> Any:
     def tally(
         S: Any, m: int, row: int, deep_row: int, ledger: Any, listed: Any
     ) -> None:
-        # counts first: sums of integers become SIMD, those of floats keep their order
         deepest = ledger[DEEPEST]
         touching = above = below = 0
         for c in range(m):
@@ -58,19 +67,12 @@ def make_tally() -> Any:
             touching += deep > 0.0
             above += not deep <= deepest  # also catches NaN
             below += S[at(row + 4, c)] < 0.0
-        stored = spent = slid = damped = negative = 0.0
-        for c in range(m):
-            stored += S[at(row, c)]
-            spent += S[at(row + 1, c)]
-            slid += S[at(row + 2, c)]
-            damped += S[at(row + 3, c)]
-            negative += S[at(row + 4, c)]
-        ledger[STORED] += stored
-        ledger[PLASTIC] += spent
-        ledger[SLIDING] += slid
-        ledger[DAMPED] += damped
         ledger[NEGATIVES] += np.float64(below)
-        ledger[NEGATIVE] += negative
+        ledger[STORED] += total(S, row, m)
+        ledger[PLASTIC] += total(S, row + 1, m)
+        ledger[SLIDING] += total(S, row + 2, m)
+        ledger[DAMPED] += total(S, row + 3, m)
+        ledger[NEGATIVE] += total(S, row + 4, m)
         ledger[TOUCHING] += np.float64(touching)
         if above > 0:
             for c in range(m):
