@@ -47,7 +47,7 @@ most = 60
 TARGET = """[[bulk.targets]]
 curve = "{curve}"
 file = "tablet.csv"
-points = 4
+points = 12
 deviation = "{deviation} MPa"
 """
 AXIAL = TARGET.format(curve="axial_stress", deviation=3)
@@ -87,29 +87,43 @@ def test_credible_intervals_hold_the_truth_as_often_as_they_say(tmp_path):
 
 @pytest.fixture(scope="module")
 def tablet(tmp_path_factory):
-    """Folder with the measured curves of a compaction of 500 particles."""
+    """Folder with the measured curves of a compaction: the mean of six packings.
+
+    A tablet that is measured has so many grains that its packing does not scatter; the
+    curves of 500 particles do by 2 %, which moves the friction found by 5 to 28 %.
+    """
     folder = tmp_path_factory.mktemp("tablet")
-    changes = [
-        "particles.count=500",
-        "die.height=10 mm",
-        "seed=101",
-        f"materials.powder.yield_stress={TRUTH[0]}",
-        f"contacts.pairs.0.sliding_friction={TRUTH[1]}",
-    ]
-    simulation.run(Case.from_file(CASE, changes), folder / "run")
-    with RunFolder(folder / "run") as run:
-        curves = die_curves(run)
-    rows = curves.loading
-    density = np.maximum.accumulate(curves.density[rows])
-    x = np.linspace(0.66, density[-1], 20)
+    tablets = [pressed(folder / str(seed), seed) for seed in range(101, 107)]
+    x = np.linspace(0.66, min(density[-1] for density, _, _ in tablets), 20)
+    axial, radial = (
+        np.mean([np.interp(x, t[0], t[column]) for t in tablets], axis=0)
+        for column in (1, 2)
+    )
     noise = np.random.default_rng(101).normal(0.0, 1.5e6, (2, len(x)))
     write(
         folder / "tablet.csv",
         **{"relative_density__-": x},
-        axial_stress__Pa=np.interp(x, density, curves.axial[rows]) + noise[0],
-        die_wall_stress__Pa=np.interp(x, density, curves.radial[rows]) + noise[1],
+        axial_stress__Pa=axial + noise[0],
+        die_wall_stress__Pa=radial + noise[1],
     )
     return folder
+
+
+def pressed(folder, seed):
+    """Relative density, axial and radial stress of 500 particles of the true values."""
+    changes = [
+        "particles.count=500",
+        "die.height=10 mm",
+        f"seed={seed}",
+        f"materials.powder.yield_stress={TRUTH[0]}",
+        f"contacts.pairs.0.sliding_friction={TRUTH[1]}",
+    ]
+    simulation.run(Case.from_file(CASE, changes), folder)
+    with RunFolder(folder) as run:
+        curves = die_curves(run)
+    rows = curves.loading
+    density = np.maximum.accumulate(curves.density[rows])
+    return density, curves.axial[rows], curves.radial[rows]
 
 
 def found_with(folder, targets):
