@@ -43,14 +43,16 @@ def multiply_add(a: float, b: float, c: float) -> float:
     return a * b + c
 
 
-@type_callable(multiply_add)  # type: ignore[untyped-decorator]
-def _typed_multiply_add(context: Any) -> Any:
+def _types_of_multiply_add(context: Any) -> Callable[..., Any]:
     return lambda a, b, c: signature(*4 * (nb.float64,))
 
 
-@lower_builtin(multiply_add, *3 * (nb.float64,))  # type: ignore[untyped-decorator]
-def _lowered_multiply_add(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+def _code_of_multiply_add(context: Any, builder: Any, sig: Any, args: Any) -> Any:
     return builder.fma(*args)
+
+
+type_callable(multiply_add)(_types_of_multiply_add)
+lower_builtin(multiply_add, *3 * (nb.float64,))(_code_of_multiply_add)
 
 
 def njit(function: Callable[..., Any] | None = None, **options: Any) -> Any:

@@ -87,7 +87,9 @@ def make_prefetch(width: int) -> Any:
     lines = range(0, width + (width % LANES > 0) * (LANES - 1), LANES)
 
     def typed(context: Any, rows: Any, row: Any) -> Any:
-        def generated(context, builder, signature, arguments):  # type: ignore[no-untyped-def]
+        def generated(
+            context: Any, builder: Any, signature: Any, arguments: Any
+        ) -> Any:
             rows, row = _arrays(context, builder, signature, arguments)
             start = builder.mul(row, ir.Constant(row.type, width))
             word, byte = ir.IntType(32), ir.IntType(8).as_pointer()
@@ -142,12 +144,22 @@ def make_lanes(stride: int) -> tuple[Any, Any, Any]:
         return _plain(stride)
 
     def declared(name: str, body: Any) -> Any:
-        def typed(context, rows, column, index, c, scratch, place):  # type: ignore[no-untyped-def]
+        def typed(
+            context: Any,
+            rows: Any,
+            column: Any,
+            index: Any,
+            c: Any,
+            scratch: Any,
+            place: Any,
+        ) -> Any:
             signature = types.void(
                 rows, types.int64, index, types.int64, scratch, types.int64
             )
 
-            def generated(context, builder, signature, arguments):  # type: ignore[no-untyped-def]
+            def generated(
+                context: Any, builder: Any, signature: Any, arguments: Any
+            ) -> Any:
                 rows, column, index, c, scratch, place = _arrays(
                     context, builder, signature, arguments
                 )
@@ -186,7 +198,9 @@ def make_sum(length: int) -> Any:
     """
 
     def typed(context: Any, scratch: Any, place: Any) -> Any:
-        def generated(context, builder, signature, arguments):  # type: ignore[no-untyped-def]
+        def generated(
+            context: Any, builder: Any, signature: Any, arguments: Any
+        ) -> Any:
             scratch, place = _arrays(context, builder, signature, arguments)
             sums = _read(builder, scratch.data, place)
             for first in range(LANES, length, LANES):

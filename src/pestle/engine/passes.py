@@ -51,7 +51,8 @@ def total(S: Any, row: int, m: int) -> float:
     """Sum of a row of the scratch over the first m contacts of a block."""
     for c in range(m, BLOCK):
         S[at(row, c)] = 0.0
-    return sum_block(S, at(row, 0))  # type: ignore[no-any-return]
+    result: float = sum_block(S, at(row, 0))
+    return result
 
 
 def make_tally() -> Any:

@@ -12,7 +12,7 @@ from pestle import _jit
 from pestle.engine.lanes import LANES, make_lanes
 from pestle.laws._base import Parts
 
-BLOCK = 128
+BLOCK = 128  # contacts in a block
 # length of a scratch row; no power of two: rows spread over the cache
 W = BLOCK + LANES
 # scratch rows; A and B are velocity 3, mass, angular velocity 3, moment of inertia
