@@ -122,6 +122,20 @@ def test_tangential_dashpot_closes_with_first_order():
     assert gaps[0] / gaps[1] == pytest.approx(4.0, rel=0.15)
 
 
+@pytest.mark.parametrize("stretched", [False, True])
+def test_a_sliding_impact_converges_with_the_step(stretched):
+    """First order with both sliding rules, where the dashpot acts too."""
+    speeds = []
+    for parts in (50, 100, 200, 400, 800, 1600):
+        setup = rubbing(parts, e=0.5, tangential=2.0, spin=1.0, stretched=stretched)
+        engine, _ = until_apart(setup)
+        speeds.append(engine.vel[0, 0])
+    changes = np.abs(np.diff(speeds))
+    order = -np.polyfit(np.arange(len(changes)), np.log2(changes), 1)[0]
+    assert order > 0.8
+    assert changes[-1] < 1e-4
+
+
 def test_dissipation_is_never_negative():
     """Sliding, rolling and dashpots only take, in every step."""
     for case in (
