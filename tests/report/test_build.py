@@ -3,12 +3,17 @@
 import json
 import re
 from html.parser import HTMLParser
+from pathlib import Path
 
 import pytest
 
+from pestle.config import Case
 from pestle.errors import InputError
 from pestle.report import build
+from pestle.report.inputs import input_tables
 from synthetic import CASE, write_run
+
+TRIAXIAL = Path(__file__).parents[2] / "examples" / "triaxial12.toml"
 
 
 class Page(HTMLParser):
@@ -91,6 +96,13 @@ def test_everything_is_there(text):
         "Inertial number",
     ):
         assert words in text
+
+
+def test_a_rule_that_is_not_the_usual_one_is_shown():
+    case = Case.from_file(TRIAXIAL, {"contacts.sliding_rule": "total"})
+    assert ("sliding rule", "total") in input_tables(case)[-1].rows
+    usual = input_tables(Case.from_file(TRIAXIAL))[-1].rows
+    assert "sliding rule" not in dict(usual)
 
 
 def test_needs_no_network_and_ids_are_unique(text):

@@ -135,4 +135,6 @@ def _engine(case: "Case") -> Rows:
     rows: Rows = [("time step", step), ("gravity", f"({gravity}) m/s²")]
     if engine.mass_scaling != 1.0:
         rows.append(("mass scaling", with_unit(engine.mass_scaling, "-")))
+    if case.contacts.sliding_rule != "spring":
+        rows.append(("sliding rule", case.contacts.sliding_rule))
     return rows
