@@ -2,14 +2,18 @@
 
 import json
 import tomllib
+from contextlib import nullcontext
 from importlib import util
 from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.stats import multivariate_normal
 
-from pestle.calibrate import bulk, calibrate, require
+from pestle.calibrate import calibrate, require, runs
+from pestle.calibrate.likelihood import Likelihood
 from pestle.calibrate.posterior import sample, values_at, warnings
+from pestle.calibrate.runs import Measured, outputs_of
 from pestle.calibrate.surrogate import indices, left_out, train
 from pestle.config.calibration import CalibrationSettings, Parameter
 from pestle.config.study import read_settings
@@ -112,6 +116,37 @@ def test_a_surrogate_learns_and_knows_what_matters():
     )
 
 
+def scattering(u, common, seed):
+    """Two outputs of one input; a share of their scatter is common to both."""
+    noise = np.random.default_rng(seed).normal(0.0, 0.1, (3, len(u)))
+    own, both = np.sqrt(1.0 - common), np.sqrt(common)
+    return np.column_stack(
+        [
+            u[:, 0] + own * noise[0] + both * noise[2],
+            1.0 + 2.0 * u[:, 0] + own * noise[1] + both * noise[2],
+        ]
+    )
+
+
+@pytest.mark.parametrize("common", [0.0, 0.9])
+def test_scatter_that_is_common_to_all_numbers_is_known_as_such(common):
+    """The likelihood is that of a normal vector; two like numbers tell as one does."""
+    u = np.random.default_rng(1).random((60, 1))
+    outputs = scattering(u, common, seed=2)
+    numbers = [Measured("a", 0.5, 0.01), Measured("b", 2.0, 0.02)]
+    surrogate = train(u, outputs, seed=1)
+    found = Likelihood.of(numbers, surrogate, u, outputs)
+    assert found.correlation[0, 1] == pytest.approx(common, abs=0.15)
+    assert found.left_out == pytest.approx([0.1, 0.1], rel=0.25)
+    at = np.array([[0.4], [0.55]])
+    mean, error = surrogate.predict(at)
+    for k, value in enumerate(found(at)):
+        covariance = np.diag([1e-4, 4e-4])
+        covariance += found.correlation * np.outer(error[k], error[k])
+        exact = multivariate_normal.logpdf([0.5, 2.0], mean[k], covariance)
+        assert value - np.log(2.0 * np.pi) == pytest.approx(exact, rel=1e-9)
+
+
 @pytest.fixture
 def made_of_formulas(tmp_path, monkeypatch):
     """A calibration whose runs are formulas: peak = 2 Y, height falls with both."""
@@ -129,7 +164,7 @@ def made_of_formulas(tmp_path, monkeypatch):
             metrics = {"axial": {"value": y + f}, "wall": {"value": y - 0.5 * f}}
             yield job.id, Outcome("done", metrics=metrics)
 
-    monkeypatch.setattr(bulk, "finished", compute)
+    monkeypatch.setattr(runs, "finished", compute)
 
     def make(*metrics: str) -> CalibrationSettings:
         targets = {"axial": 1.5, "wall": 1.05}
@@ -158,8 +193,38 @@ def test_bulk_data_give_both_parameters(tmp_path, made_of_formulas):
     assert f == pytest.approx(0.3, rel=0.1)
     assert numbers["converged"]
     assert len(jobs) == numbers["runs"] <= 60
+    assert [job.case().seed for job in jobs] == list(range(1, len(jobs) + 1))
     assert numbers["warnings"] == []
     assert "Sobol" in (tmp_path / "out" / "report.html").read_text()
+
+
+def test_a_seed_that_is_set_is_that_of_all_runs(tmp_path, made_of_formulas):
+    make, jobs = made_of_formulas
+    settings = make("axial", "wall")
+    settings.bulk.set["seed"] = 7
+    calibrate(settings, tmp_path / "out", workers=2)
+    assert {job.case().seed for job in jobs} == {7}
+
+
+def test_a_run_that_ends_before_a_measured_density_has_no_stress_there(
+    tmp_path, monkeypatch
+):
+    """Its last stress does not stand for what it would be further on."""
+
+    class Pressed:
+        density = np.array([0.6, 0.7, 0.8])
+        axial = transmitted = radial = np.array([0.0, 1e6, 3e6])
+        loading = np.arange(3)
+
+    monkeypatch.setattr("pestle.results.folder.RunFolder", nullcontext)
+    monkeypatch.setattr("pestle.metrics.die_curves.die_curves", lambda run: Pressed())
+    wanted = [
+        Measured("a", 1.0, 1.0, curve="axial_stress", density=0.75),
+        Measured("b", 1.0, 1.0, curve="transmitted_stress", density=0.81),
+    ]
+    found = outputs_of(tmp_path, Outcome("done"), wanted)
+    assert found[0] == pytest.approx(2e6)
+    assert np.isnan(found[1])
 
 
 def test_one_number_does_not_tell_two_parameters_apart(tmp_path, made_of_formulas):

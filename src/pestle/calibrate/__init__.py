@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from pestle.calibrate import bulk, output, single
 from pestle.calibrate.posterior import Posterior, require
+from pestle.calibrate.runs import Say
 
 if TYPE_CHECKING:
     from pestle.config.calibration import CalibrationSettings
@@ -18,7 +19,7 @@ def calibrate(
     *,
     workers: int | None = None,
     scheduler: str | None = None,
-    say: bulk.Say = lambda text: None,
+    say: Say = lambda text: None,
 ) -> dict[str, Any]:
     """Calibrate and write everything into a folder; return the numbers.
 

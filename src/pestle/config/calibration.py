@@ -15,8 +15,9 @@ from pestle.config.study import Interval, flattened, number
 from pestle.errors import InputError, did_you_mean
 from pestle.units import to_si
 
-CURVES = {"axial_stress": "Pa", "die_wall_stress": "Pa"}
-"""Curves over the relative density that a compaction can be compared with."""
+CURVES = {"axial_stress": "Pa", "transmitted_stress": "Pa", "die_wall_stress": "Pa"}
+"""Curves over the relative density that a compaction can be compared with: stress of
+the upper punch, of the lower punch, of the die wall."""
 
 
 class Parameter(Interval):
@@ -65,8 +66,10 @@ class Target(Section):
     """Key of a number in metrics.json."""
     value: float | str | None = None
     """What was measured of it."""
-    curve: Literal["axial_stress", "die_wall_stress"] | None = None
-    """Curve of the loading over the relative density."""
+    curve: Literal["axial_stress", "transmitted_stress", "die_wall_stress"] | None = (
+        None
+    )
+    """Curve of the loading over the relative density: upper punch, lower, wall."""
     file: Text | None = None
     """CSV with the columns "relative_density [-]" and that of the curve."""
     points: Count = 5
