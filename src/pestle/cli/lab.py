@@ -9,7 +9,15 @@ from pestle.cli.lab_compare import compare
 from pestle.cli.lab_confined import confined
 from pestle.cli.lab_law import law
 from pestle.cli.lab_laws import laws
-from pestle.cli.lab_options import ProgressLines, depths_of, mesh_of, numbers_of
+from pestle.cli.lab_options import (
+    ProgressLines,
+    SecondOpinion,
+    depths_of,
+    mesh_of,
+    numbers_of,
+    second_opinion,
+    show_second_opinion,
+)
 from pestle.cli.lab_study import study
 from pestle.cli.options import AsJson
 from pestle.errors import InputError
@@ -89,6 +97,7 @@ def sphere(
     overwrite: Annotated[
         bool, typer.Option("--overwrite", help="Replace an earlier run in DIR.")
     ] = False,
+    ask_calculix: SecondOpinion = False,
     as_json: AsJson = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress.")] = False,
 ) -> None:
@@ -126,6 +135,10 @@ def sphere(
         from pestle.lab.output import write
 
         write(result, numbers, out)
+    if ask_calculix:
+        from pestle.lab.second_opinion import of_sphere
+
+        numbers["second_opinion"] = second_opinion(lambda: of_sphere(result))
     _show(result, numbers, as_json=as_json)
     if result.stopped is not None:
         raise result.stopped
@@ -159,6 +172,7 @@ def _show(result: "Result", numbers: dict[str, Any], *, as_json: bool) -> None:
     if rows:
         typer.echo("")
         print_table([keys, *rows])
+    show_second_opinion(numbers.get("second_opinion", {}))
 
 
 def _hardening(exponent: float, reference: float | None, table: str) -> "Hardening":

@@ -4,6 +4,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from pestle.cli.lab_options import (
+    SecondOpinion,
+    second_opinion,
+    show_second_opinion,
+)
 from pestle.cli.options import AsJson
 
 if TYPE_CHECKING:
@@ -34,6 +39,7 @@ def confined(
         int,
         typer.Option(min=3, max=16, help="Edges from a pole to the diagonal: 6 or 8."),
     ] = 6,
+    ask_calculix: SecondOpinion = False,
     as_json: AsJson = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress.")] = False,
 ) -> None:
@@ -47,14 +53,18 @@ def confined(
 
     hardening = Hardening(hardening_exponent, reference_strain)
     material = Material(modulus_ratio, poisson, hardening)
-    first = 0.08 * 6.0 / edges
-    sphere = Confined(material, configuration, edges=edges, layers=edges, first=first)
+    sphere = Confined(material, configuration, edges=edges, layers=edges)
     stopped = None
     try:
         points = sphere.load(to, None if quiet else _line)
     except ConfinedStop as stop:
         points, stopped = stop.points, stop
-    _show(points, as_json=as_json)
+    other = None
+    if ask_calculix:
+        from pestle.lab.second_opinion import of_confined
+
+        other = second_opinion(lambda: of_confined(sphere, points))
+    _show(points, other, as_json=as_json)
     if stopped is not None:
         raise stopped
 
@@ -63,7 +73,9 @@ def _line(point: "ConfinedPoint") -> None:
     typer.echo(f"depth {point.depth:.4g} R", err=True)
 
 
-def _show(points: "list[ConfinedPoint]", *, as_json: bool) -> None:
+def _show(
+    points: "list[ConfinedPoint]", other: dict[str, Any] | None, *, as_json: bool
+) -> None:
     import json
 
     from pestle.cli.printing import print_table
@@ -77,10 +89,14 @@ def _show(points: "list[ConfinedPoint]", *, as_json: bool) -> None:
         for point in points
     ]
     if as_json:
-        typer.echo(json.dumps({"steps": rows}))
-    elif rows:
+        typer.echo(
+            json.dumps({"steps": rows} | ({"second_opinion": other} if other else {}))
+        )
+        return
+    if rows:
         shown = [[f"{value:.4g}" for value in row.values()] for row in rows]
         print_table([list(rows[0]), *shown])
+    show_second_opinion(other or {})
 
 
 def _flat(name: str, flat: "Flat") -> dict[str, Any]:

@@ -1,7 +1,8 @@
 """What the commands of the lab share: lists of numbers, meshes, progress."""
 
 import time
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -10,6 +11,15 @@ from pestle.errors import InputError
 if TYPE_CHECKING:
     from pestle.lab.mesh import Fineness
     from pestle.lab.press import Progress
+
+SecondOpinion = Annotated[
+    bool,
+    typer.Option(
+        "--second-opinion",
+        help="Press it by CalculiX too and compare; skipped where ccx is not "
+        "installed.",
+    ),
+]
 
 SECONDS_BETWEEN_LINES = 5.0
 """Time between two lines of progress [s]."""
@@ -63,3 +73,30 @@ def mesh_of(text: str) -> "str | Fineness":
         return name
     (number,) = numbers_of(factor, "--mesh") or [0.0]
     return scaled(name, number)
+
+
+def second_opinion(ask: Callable[[], dict[str, Any]]) -> dict[str, Any]:
+    """Ask CalculiX; without it say so and go on."""
+    from pestle.lab import calculix
+
+    if not calculix.available():
+        told = f"CalculiX is not installed ({calculix.INSTALL})"
+        typer.echo(f"second opinion skipped: {told}", err=True)
+        return {"skipped": told}
+    return ask()
+
+
+def show_second_opinion(numbers: dict[str, Any]) -> None:
+    """Print what CalculiX found beside the lab's numbers."""
+    from pestle.cli.printing import print_table
+
+    rows = []
+    for where, row in numbers.get("comparison", {}).items():
+        for name, (lab, other) in row.items():
+            off = f"{100.0 * (other / lab - 1.0):+.2f} %" if lab else ""
+            rows.append([where, name, f"{lab:.5g}", f"{other:.5g}", off])
+    if rows:
+        typer.echo("")
+        print_table([["", "", "lab", "CalculiX", "difference"], *rows])
+    if numbers.get("stopped"):
+        typer.echo(f"CalculiX stopped {numbers['stopped']}")

@@ -15,6 +15,7 @@ from pestle.errors import InputError, SimulationError, did_you_mean
 from pestle.lab.assembly import Answer, Booleans, Inverted
 from pestle.lab.equilibrium import GAP, TOLERANCE, NotConverged
 from pestle.lab.material import Material
+from pestle.lab.measure import contact_area
 from pestle.lab.mesh import Floats
 from pestle.lab.octant import SolidAssembly, octant
 
@@ -44,7 +45,7 @@ class Flat(NamedTuple):
     """One flat of the whole sphere."""
 
     force: float  # [E R^2]
-    area: float  # estimate: faces count by their touching corners [R^2]
+    area: float  # estimate, see `contact_area` [R^2]
     inner_area: float  # faces with all corners touching [R^2]
     outer_area: float  # faces with any corner touching [R^2]
 
@@ -76,8 +77,8 @@ class Confined:
         Which flats there are and which move.
     edges, layers : int
         See `octant`.
-    first : float
-        First edge at the poles [R].
+    first : float, optional
+        First edge at the poles [R], by default 0.48 over the number of edges.
     """
 
     def __init__(
@@ -87,7 +88,7 @@ class Confined:
         *,
         edges: int = 6,
         layers: int = 6,
-        first: float = 0.08,
+        first: float | None = None,
     ) -> None:
         if configuration not in _MOVING:
             raise InputError(
@@ -96,6 +97,7 @@ class Confined:
                 hint=did_you_mean(configuration, _MOVING),
             )
         self.material, self.configuration = material, configuration
+        first = 0.48 / edges if first is None else first
         self.mesh = octant(edges, layers, first)
         self.assembly = SolidAssembly(self.mesh, material)
         self._fraction = 1.0
@@ -108,6 +110,7 @@ class Confined:
         present = np.zeros((3, 1), dtype=bool)
         present[[*_MOVING[configuration], *_STANDING[configuration]]] = True
         self.open = ~self.held[self.unknowns] & present
+        self.moving = _MOVING[configuration]
 
     def load(
         self, depth: float, progress: Callable[[ConfinedPoint], None] | None = None
@@ -206,7 +209,7 @@ class Confined:
     ) -> tuple[_State, ConfinedPoint]:
         """Newton's method; if patient in short steps, which may go uphill."""
         flats = np.zeros((3, 1))
-        flats[list(_MOVING[self.configuration])] = depth
+        flats[list(self.moving)] = depth
         heights = self.mesh.points[self.mesh.surface].T
         u, active = now.u, now.active
         if before is not None:
@@ -263,19 +266,13 @@ class Confined:
 
     def _flat(self, new: _State, pushes: Floats, axis: int) -> Flat:
         """Force and area of a flat; an octant has a quarter of it."""
-        touches = np.zeros(len(self.mesh.points), dtype=bool)
-        touches[self.mesh.surface[new.active[axis]]] = True
-        corners = touches[self.mesh.faces]
-        place = np.delete(self.mesh.points + new.u, axis, axis=1)[self.mesh.faces]
-        a, b = place[:, 2] - place[:, 0], place[:, 3] - place[:, 1]
-        area = 2.0 * np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0])  # times 4
-        share = corners.mean(axis=1)
-        return Flat(
-            4.0 * float(pushes[axis, new.active[axis]].sum()),
-            float(area @ share),
-            float(area @ (share == 1.0)),
-            float(area @ (share > 0.0)),
-        )
+        surface, active = self.mesh.surface, new.active[axis]
+        touching = np.zeros(len(self.mesh.points), dtype=bool)
+        touching[surface[active]] = True
+        force = np.zeros(len(self.mesh.points))
+        force[surface[active]] = pushes[axis, active]
+        areas = contact_area(self.mesh, new.u, force, touching, axis)
+        return Flat(4.0 * float(force.sum()), *(4.0 * area for area in areas))
 
 
 class ConfinedStop(SimulationError):

@@ -5,6 +5,8 @@ displacement; the planes x = 0, y = 0 and z = 0 are those of symmetry.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,6 +14,9 @@ from pestle.lab._solid import solid_pass
 from pestle.lab.assembly import Answer, Assembly, Inverted
 from pestle.lab.material import Material
 from pestle.lab.mesh import Floats, Integers, graded
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 _CORE = 0.5  # half width of the core [R]
 
@@ -36,6 +41,18 @@ class SolidMesh:
     cells: Integers
     surface: Integers
     faces: Integers
+
+    @cached_property
+    def neighbours(self) -> "csr_array":
+        """Which nodes share a face of the surface: a matrix of ones."""
+        from scipy.sparse import csr_array
+
+        pairs = self.faces[:, [[i, j] for i in range(4) for j in range(4) if i != j]]
+        first, second = pairs.reshape(-1, 2).T
+        shape = 2 * (len(self.points),)
+        found = csr_array((np.ones(len(first)), (first, second)), shape=shape)
+        found.data[:] = 1.0
+        return found
 
 
 def octant(edges: int = 6, layers: int = 6, first: float = 0.08) -> SolidMesh:
