@@ -104,6 +104,11 @@ def test_a_surrogate_learns_and_knows_what_matters():
     u, v = random.random((30, 2)), random.random((100, 2))
     surrogate = train(u, ishigami_like(u), seed=1)
     mean, error = surrogate.predict(v)
+    for k, model in enumerate(surrogate.models):
+        one, deviation = model.predict(v, return_std=True)
+        scale = surrogate.scale[k]
+        np.testing.assert_allclose(mean[:, k], surrogate.mean[k] + scale * one)
+        np.testing.assert_allclose(error[:, k], scale * deviation, rtol=1e-5)
     assert np.abs(mean - ishigami_like(v)).max() < 0.03
     assert error.max() < 0.1
     assert np.abs(left_out(u, ishigami_like(u), surrogate)).max() < 0.2

@@ -13,6 +13,7 @@ from pestle.lab.confined import Confined, ConfinedStop
 from pestle.lab.material import Material
 from pestle.lab.octant import SolidAssembly, octant
 from pestle.lab.sphere import Sphere
+from pestle.particle import Shahin2021
 
 MATERIAL = Material(100.0, 0.3)
 
@@ -140,18 +141,35 @@ def test_command(monkeypatch, capfd):
         Confined(MATERIAL, "die").load(0.5)
 
 
-@pytest.mark.slow
-def test_die_radius_is_that_of_shahin():
-    """Primary contact radius within 5 % of the law in the mean over 0.03 to 0.3."""
-    from pestle.particle import Shahin2021
-
-    law = Shahin2021(youngs_modulus=1.0, poisson_ratio=0.3, yield_stress=1.0 / 150.0)
-    sphere = Confined(Material(150.0, 0.3), "die", edges=8, layers=8, first=0.05)
-    points = [p for p in sphere.load(0.3) if p.depth > 0.03]
+def die_radius_over_law(modulus_ratio, edges, first):
+    """Primary contact radius over that of the law, at each step over 0.03 to 0.3."""
+    law = Shahin2021(
+        youngs_modulus=1.0, poisson_ratio=0.3, yield_stress=1.0 / modulus_ratio
+    )
+    material = Material(modulus_ratio, 0.3)
+    sphere = Confined(material, "die", edges=edges, layers=edges, first=first)
+    points = [p for p in sphere.load(0.3) if p.depth >= 0.03]
     depth = np.array([p.depth for p in points])
     radius = np.sqrt(np.array([p.primary.area for p in points]) / np.pi)
     curve = law.curve(depth, radius=1.0, configuration="die")
-    assert abs(np.mean(radius / curve.contact_radius - 1.0)) < 0.05
+    return radius / curve.contact_radius
+
+
+@pytest.mark.slow
+def test_die_radius_is_that_of_shahin_in_the_mean():
+    """Within 5 % on 2048 bricks; single steps are so from 0.035 on.
+
+    At 0.03 the law is 7 % above a sphere of E/Y = 150, as the axisymmetric mesh says.
+    """
+    off = die_radius_over_law(150.0, edges=8, first=0.05) - 1.0
+    assert abs(np.mean(off)) < 0.05
+
+
+@pytest.mark.slow
+def test_every_die_radius_of_a_hard_sphere_is_that_of_shahin():
+    """Within 5 % at each step, E/Y = 1000 on 4000 bricks; a quarter of an hour."""
+    off = die_radius_over_law(1000.0, edges=10, first=0.03) - 1.0
+    assert np.abs(off).max() < 0.05
 
 
 def test_first_touch_of_a_hard_sphere():
