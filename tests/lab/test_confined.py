@@ -167,7 +167,7 @@ def test_die_radius_is_that_of_shahin_in_the_mean():
 
 @pytest.mark.slow
 def test_every_die_radius_of_a_hard_sphere_is_that_of_shahin():
-    """Within 5 % at each step, E/Y = 1000 on 4000 bricks; a quarter of an hour."""
+    """Within 5 % at each step, E/Y = 1000 on 4000 bricks; twenty minutes."""
     off = die_radius_over_law(1000.0, edges=10, first=0.03) - 1.0
     assert np.abs(off).max() < 0.05
 

@@ -78,7 +78,8 @@ class Confined:
     edges, layers : int
         See `octant`.
     first : float, optional
-        First edge at the poles [R], by default 0.48 over the number of edges.
+        First edge at the poles [R], by default 0.48 over the number of edges, at most
+        0.08.
     """
 
     def __init__(
@@ -97,7 +98,7 @@ class Confined:
                 hint=did_you_mean(configuration, _MOVING),
             )
         self.material, self.configuration = material, configuration
-        first = 0.48 / edges if first is None else first
+        first = min(0.08, 0.48 / edges) if first is None else first
         self.mesh = octant(edges, layers, first)
         self.assembly = SolidAssembly(self.mesh, material)
         self._fraction = 1.0
