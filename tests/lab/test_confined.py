@@ -174,7 +174,7 @@ def test_every_die_radius_of_a_hard_sphere_is_that_of_shahin():
 
 def test_first_touch_of_a_hard_sphere():
     """Approached through softer ones with patience; where both ways go they meet."""
-    hard = Confined(Material(1000.0, 0.3), "die", edges=3, layers=3)
+    hard = Confined(Material(1000.0, 0.3), "die", edges=4, layers=4)
     (point,) = hard.load(hard.first_depth)
     assert 1.0 < 1000.0 * point.primary.force / point.primary.area < 3.0
     case = Confined(Material(20.0, 0.3), "die", edges=3, layers=3)
