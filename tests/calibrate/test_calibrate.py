@@ -144,7 +144,8 @@ def test_scatter_that_is_common_to_all_numbers_is_known_as_such(common):
     assert found.correlation[0, 1] == pytest.approx(common, abs=0.15)
     assert found.left_out == pytest.approx([0.1, 0.1], rel=0.25)
     at = np.array([[0.4], [0.55]])
-    mean, error = surrogate.predict(at)
+    mean, error = found.predict(at)
+    assert (error >= found.left_out).all()
     for k, value in enumerate(found(at)):
         covariance = np.diag([1e-4, 4e-4])
         covariance += found.correlation * np.outer(error[k], error[k])

@@ -105,7 +105,7 @@ def calibrate(
         settings.parameters, likelihood, start, settings.seed, max(spread, 1e-4)
     )
     middle = np.median(posterior.shares, axis=0)[None, :]
-    mean, error = surrogate.predict(middle)
+    mean, error = likelihood.predict(middle)
     return BulkResult(
         posterior=posterior,
         measured=wanted,

@@ -5,9 +5,10 @@ r"""How likely measured data are, by a surrogate that stands for the runs.
     C_{kl} = \sigma_k^2 \delta_{kl} + s_k R_{kl} s_l
 
 with the measured y_k and their deviation sigma_k, and mean mu_k and deviation s_k of
-the surrogate, which holds the scatter from packing to packing.  A packing that is
-stiffer is so at all densities: R is the correlation of the errors of the runs, each
-predicted from all others, shrunk as so few runs need it (Ledoit & Wolf 2004).
+the surrogate, which holds the scatter from packing to packing.  s_k is at least the
+root mean square error of the runs, each predicted from all others: few runs can make a
+process take scatter for shape.  A packing that is stiffer is so at all densities: R is
+the correlation of these errors, shrunk as so few runs need it (Ledoit & Wolf 2004).
 """
 
 from dataclasses import dataclass
@@ -66,9 +67,14 @@ class Likelihood:
             size,
         )
 
+    def predict(self, shares: Array) -> tuple[Array, Array]:
+        """Mean and deviation s of each number, a row a point."""
+        mean, error = self.surrogate.predict(shares)
+        return mean, np.maximum(error, self.left_out)
+
     def __call__(self, shares: Array) -> Array:
         """Evaluate rows of shares."""
-        mean, error = self.surrogate.predict(shares)
+        mean, error = self.predict(shares)
         covariance = error[:, :, None] * self.correlation * error[:, None, :]
         covariance += np.diag(self.deviation**2)
         factor = np.linalg.cholesky(covariance)
