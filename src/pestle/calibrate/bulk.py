@@ -1,4 +1,4 @@
-r"""Bulk data: runs, a surrogate of their results, and the posterior by the surrogate.
+"""Bulk data: runs, a surrogate of their results, and the posterior by the surrogate.
 
 New runs go where the posterior is and the surrogate is least certain.  It stops when,
 over the posterior, what is unknown of the surrogate's mean is less than half a
@@ -44,7 +44,7 @@ class BulkResult:
     failed: int
     converged: bool
     sensitivity: dict[str, Any]
-    cross_validation: Array  # root mean square error, left out one by one [scale]
+    cross_validation: Array  # error of runs left out one by one [deviations]
 
 
 def calibrate(

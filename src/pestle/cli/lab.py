@@ -135,7 +135,7 @@ def sphere(
         from pestle.lab.output import write
 
         write(result, numbers, out)
-    if ask_calculix:
+    if ask_calculix and result.loading:
         from pestle.lab.second_opinion import of_sphere
 
         numbers["second_opinion"] = second_opinion(lambda: of_sphere(result))

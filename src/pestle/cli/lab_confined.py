@@ -60,7 +60,7 @@ def confined(
     except ConfinedStop as stop:
         points, stopped = stop.points, stop
     other = None
-    if ask_calculix:
+    if ask_calculix and points:
         from pestle.lab.second_opinion import of_confined
 
         other = second_opinion(lambda: of_confined(sphere, points))
@@ -89,9 +89,8 @@ def _show(
         for point in points
     ]
     if as_json:
-        typer.echo(
-            json.dumps({"steps": rows} | ({"second_opinion": other} if other else {}))
-        )
+        asked = {} if other is None else {"second_opinion": other}
+        typer.echo(json.dumps({"steps": rows} | asked))
         return
     if rows:
         shown = [[f"{value:.4g}" for value in row.values()] for row in rows]
