@@ -159,7 +159,7 @@ def die_radius_over_law(modulus_ratio, edges, first):
 def test_die_radius_is_that_of_shahin_in_the_mean():
     """Within 5 % on 2048 bricks; single steps are so from 0.035 on.
 
-    At 0.03 the law is 7 % above a sphere of E/Y = 150, as the axisymmetric mesh says.
+    At 0.03 the law is 8 % above a sphere of E/Y = 150, as the axisymmetric mesh says.
     """
     off = die_radius_over_law(150.0, edges=8, first=0.05) - 1.0
     assert abs(np.mean(off)) < 0.05

@@ -29,6 +29,8 @@ def test_hertz(depth):
     moment = elastic.touch(depth)
     hertz = 4.0 / 3.0 * elastic.material.plane_strain_modulus * depth**1.5
     assert moment.force == pytest.approx(hertz, rel=5e-3 if depth < 2e-4 else 5.5e-3)
+    finite = hertz * (1.0 + 0.42 * np.sqrt(depth))
+    assert moment.force == pytest.approx(finite, rel=3.5e-3)
     radius, inner, outer = moment.radius
     assert abs(radius - np.sqrt(depth)) < outer - inner
     assert inner <= radius <= outer

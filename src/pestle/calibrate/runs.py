@@ -23,12 +23,6 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 Say = Callable[[str], None]
-COLUMNS = {
-    "axial_stress": "axial",
-    "transmitted_stress": "transmitted",
-    "die_wall_stress": "radial",
-}
-"""Where `DieCurves` has a curve."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +45,7 @@ def measured(settings: "CalibrationSettings") -> list[Measured]:
 
 
 def _numbers(settings: "CalibrationSettings", target: "Target") -> list[Measured]:
-    from pestle.config.calibration import CURVES, read_columns
+    from pestle.config.calibration import read_columns
     from pestle.config.study import number, unit_of
 
     if target.metric is not None:
@@ -61,19 +55,18 @@ def _numbers(settings: "CalibrationSettings", target: "Target") -> list[Measured
         return [Measured(name, value, sigma, unit, metric=name)]
     assert target.curve is not None
     assert target.file is not None
-    unit = CURVES[target.curve]
     columns = read_columns(
-        settings.resolve(target.file), {"relative_density": "1", target.curve: unit}
+        settings.resolve(target.file), {"relative_density": "1", target.curve: "Pa"}
     )
     order = np.argsort(columns["relative_density"])
     x, y = columns["relative_density"][order], columns[target.curve][order]
-    sigma = number(target.deviation, unit)
+    sigma = number(target.deviation, "Pa")
     return [
         Measured(
             f"{target.curve} at density {d:.3f}",
             float(np.interp(d, x, y)),
             sigma,
-            unit,
+            "Pa",
             curve=target.curve,
             density=float(d),
         )
@@ -83,6 +76,7 @@ def _numbers(settings: "CalibrationSettings", target: "Target") -> list[Measured
 
 def outputs_of(folder: Path, outcome: Outcome, wanted: list[Measured]) -> Array:
     """The numbers of a run that the targets ask for; NaN where it has none."""
+    from pestle.config.calibration import CURVES
     from pestle.metrics.die_curves import die_curves
     from pestle.results.folder import RunFolder
 
@@ -99,7 +93,7 @@ def outputs_of(folder: Path, outcome: Outcome, wanted: list[Measured]) -> Array:
             found.append(float("nan"))
         else:
             rows = curves.loading
-            y = getattr(curves, COLUMNS[m.curve])
+            y = getattr(curves, CURVES[m.curve])
             top = np.maximum.accumulate(curves.density[rows])
             found.append(float(np.interp(m.density, top, y[rows], right=np.nan)))
     return np.array(found)

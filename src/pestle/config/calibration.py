@@ -15,9 +15,13 @@ from pestle.config.study import Interval, flattened, number
 from pestle.errors import InputError, did_you_mean
 from pestle.units import to_si
 
-CURVES = {"axial_stress": "Pa", "transmitted_stress": "Pa", "die_wall_stress": "Pa"}
-"""Curves over the relative density that a compaction can be compared with: stress of
-the upper punch, of the lower punch, of the die wall."""
+CURVES = {
+    "axial_stress": "axial",
+    "transmitted_stress": "transmitted",
+    "die_wall_stress": "radial",
+}
+"""Stresses over the relative density that a compaction can be compared with, of the
+upper punch, the lower punch and the die wall, and their names in `DieCurves`."""
 
 
 class Parameter(Interval):

@@ -11,9 +11,8 @@ from pestle.lab.confined import Confined, ConfinedPoint
 from pestle.lab.measure import face_areas, node_areas, ring_areas
 from pestle.lab.mesh import Floats, Mesh
 from pestle.lab.press import Result
-from pestle.lab.unloading import fit_exponent, unloading_numbers
+from pestle.lab.unloading import UnloadingNumbers, power_law, unloading_numbers
 
-_LEVELS = np.linspace(0.01, 1.0, 100)  # of the force, as in `unloading_numbers`
 _STEPS = 60  # of an unloading
 _BEYOND = 1.1  # end of an unloading, over the way to the lab's separation
 _BRICK = [7, 4, 1, 5, 6, 2, 0, 3]  # corners of a brick in the order of CalculiX
@@ -90,8 +89,9 @@ def of_sphere(result: Result) -> dict[str, Any]:
             found.forces[0][:, 0],
         )
         if branch is not None:
-            mine, (rho, alpha) = unloading_numbers(branch), _unloading(found, depth)
-            row |= {"rho": (mine.rho, rho), "alpha": (mine.alpha, alpha)}
+            mine, theirs = unloading_numbers(branch), _unloading(found, depth)
+            row["rho"] = mine.rho, theirs.rho
+            row["alpha"] = mine.alpha, theirs.alpha
         comparison[f"{depth:g} R"] = row
     return {"comparison": comparison, "stopped": stopped}
 
@@ -109,16 +109,14 @@ def _loading(
     }
 
 
-def _unloading(found: Answer, depth: float) -> tuple[float, float]:
-    """Secant stiffness and exponent, as `unloading_numbers` has them."""
+def _unloading(found: Answer, depth: float) -> UnloadingNumbers:
+    """Numbers of an unloading; where the sphere is free its lowest node is."""
     separation = float(found.heights.min())
-    d = np.append(depth, found.depths[1])
-    f = np.append(found.forces[0][-1, 0], found.forces[1][:, 0])
-    keep = d > separation
-    x = np.append((d[keep] - separation) / (depth - separation), 0.0)
-    y = np.append(f[keep] / f[0], 0.0)
-    alpha, _ = fit_exponent(np.interp(_LEVELS, y[::-1], x[::-1]), _LEVELS)
-    return 1.0 / (depth - separation), alpha
+    touching = found.depths[1] > separation
+    depths = np.append(depth, found.depths[1][touching])
+    last = found.forces[0][-1, 0]
+    forces = np.append(last, found.forces[1][touching, 0])
+    return power_law(depths, forces, separation)
 
 
 def of_confined(case: Confined, points: Sequence[ConfinedPoint]) -> dict[str, Any]:

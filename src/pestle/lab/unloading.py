@@ -25,22 +25,29 @@ class UnloadingNumbers(NamedTuple):
 
 
 def unloading_numbers(branch: Unloading) -> UnloadingNumbers:
+    """Fit the power law to a branch of the lab."""
+    depths = np.array([p.depth for p in branch.points])
+    forces = np.array([p.force for p in branch.points])
+    return power_law(depths, forces, branch.separation)
+
+
+def power_law(depths: Floats, forces: Floats, separation: float) -> UnloadingNumbers:
     """Fit the power law at 100 equal steps of the force, as the paper does.
 
     Parameters
     ----------
-    branch : Unloading
-        A branch from a depth to separation.
+    depths, forces : array
+        From the largest depth to the last contact [R, E R^2].
+    separation : float
+        Depth at which the relaxed sphere just touches the flat [R].
     """
-    depths = np.array([p.depth for p in branch.points])
-    forces = np.array([p.force for p in branch.points])
-    separation, depth, force = branch.separation, branch.start.depth, forces[0]
+    depth, force = float(depths[0]), float(forces[0])
     x = np.append((depths - separation) / (depth - separation), 0.0)
     y = np.append(forces / force, 0.0)
     levels = np.arange(1, _LEVELS + 1) / _LEVELS
     alpha, r_squared = fit_exponent(np.interp(levels, y[::-1], x[::-1]), levels)
     rho = 1.0 / (depth - separation)
-    return UnloadingNumbers(depth, separation, rho, alpha, r_squared, float(force))
+    return UnloadingNumbers(depth, separation, rho, alpha, r_squared, force)
 
 
 def fit_exponent(x: Floats, y: Floats) -> tuple[float, float]:
